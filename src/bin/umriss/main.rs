@@ -1,0 +1,3 @@
+//! The program `umriss`: reads flags, runs the library, writes files.
+
+fn main() {}

@@ -1,0 +1,33 @@
+//! # Umriss: exact hidden-line drawings of 3D models
+//!
+//! *Umriss* (German: outline, contour) turns polygon models into vector
+//! line drawings. Whether a line is hidden is decided by the signs of
+//! determinants of the input coordinates, never by a tolerance and never
+//! on rounded, projected coordinates.
+//!
+//! The rooms of the house, ground floor first; each uses only rooms above
+//! its own line (`ARCHITECTURE.md` has the map, `tests/layers.rs` checks it):
+//!
+//! - [`run`]: counters, progress, cancelling and limits, handed down as one value.
+//! - [`kernel`]: numbers, points, exact predicates.
+//! - [`spatial`]: hierarchies and crossings; they propose, they never decide.
+//! - [`polygon`]: triangulation of polygons with holes.
+//! - [`model`]: files, meshes, scenes, feature edges.
+//! - [`view`]: the contract between models, methods and drawings.
+//! - [`visibility`]: the object-space methods (Roberts, Appel).
+//! - [`raster`]: the image-space references (ray casting).
+//! - [`drawing`]: pages, layers, dashes, polylines.
+//! - [`export`]: SVG, HPGL, JSON, PNG.
+//! - [`verify`]: every method against the others.
+
+pub mod drawing;
+pub mod export;
+pub mod kernel;
+pub mod model;
+pub mod polygon;
+pub mod raster;
+pub mod run;
+pub mod spatial;
+pub mod verify;
+pub mod view;
+pub mod visibility;

@@ -1,0 +1,14 @@
+//! What a long computation is given from outside, as one value: where to
+//! count, whom to tell about progress, when to stop, how much to use.
+//!
+//! There are no globals in this crate. A [`Run`] is made by the caller and
+//! lent to every stage; [`Run::default`] counts, reports to nobody and never
+//! stops.
+
+mod counters;
+mod parallel;
+mod progress;
+
+pub use counters::{Counters, StageTime};
+pub use parallel::{fill_indexed, map_chunks, map_indexed, sort_by, sort_unstable_by};
+pub use progress::{Cancelled, Limits, Progress, Run, Silent};

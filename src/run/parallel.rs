@@ -1,0 +1,59 @@
+//! Loops over many independent pieces of work, on all cores where the
+//! feature `parallel` is on and one after the other where it is not.
+//!
+//! Results come back in the order of the input whatever the number of
+//! threads, so nothing that is built from them can depend on it.
+
+#[cfg(feature = "parallel")]
+use rayon::prelude::*;
+
+/// `[work(0), work(1), ..., work(count - 1)]`.
+pub fn map_indexed<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    return (0..count).into_par_iter().map(work).collect();
+    #[cfg(not(feature = "parallel"))]
+    return (0..count).map(work).collect();
+}
+
+/// Cuts `0..count` into ranges of `size` and maps each of them; results in
+/// the order of the ranges.
+pub fn map_chunks<T: Send>(
+    count: usize,
+    size: usize,
+    work: impl Fn(std::ops::Range<usize>) -> T + Sync + Send,
+) -> Vec<T> {
+    let size = size.max(1);
+    map_indexed(count.div_ceil(size), |chunk| {
+        work(chunk * size..((chunk + 1) * size).min(count))
+    })
+}
+
+/// Overwrites each `target[i]` with `work(i)`.
+pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync + Send) {
+    #[cfg(feature = "parallel")]
+    target.par_iter_mut().enumerate().with_min_len(1024).for_each(|(i, slot)| *slot = work(i));
+    #[cfg(not(feature = "parallel"))]
+    target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
+}
+
+/// Stable sort.
+pub fn sort_by<T: Send>(
+    items: &mut [T],
+    order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync + Send,
+) {
+    #[cfg(feature = "parallel")]
+    items.par_sort_by(order);
+    #[cfg(not(feature = "parallel"))]
+    items.sort_by(order);
+}
+
+/// Unstable sort: `order` must be total for the result to be determined.
+pub fn sort_unstable_by<T: Send>(
+    items: &mut [T],
+    order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync + Send,
+) {
+    #[cfg(feature = "parallel")]
+    items.par_sort_unstable_by(order);
+    #[cfg(not(feature = "parallel"))]
+    items.sort_unstable_by(order);
+}
