@@ -1,0 +1,110 @@
+//! Integers of any size: the last step of the ladder, for scenes whose
+//! coordinates span more binary orders than a fixed width holds.
+
+use super::{Ring, Sign};
+use dashu_int::IBig;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// An integer of any size (a thin shell around a library's).
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct BigInteger(IBig);
+
+impl BigInteger {
+    /// The sign.
+    pub fn sign(&self) -> Sign {
+        self.0.cmp(&IBig::ZERO).into()
+    }
+
+    /// `numerator / denominator` as the nearest float or one next to it.
+    /// The denominator must not be zero; zero gives zero.
+    ///
+    /// The quotient is formed with 64 significant bits by integer division,
+    /// so its error is far below one unit in the last place.
+    pub fn ratio(numerator: &Self, denominator: &Self) -> f64 {
+        if numerator.0 == IBig::ZERO || denominator.0 == IBig::ZERO {
+            return 0.0;
+        }
+        let excess = bit_length(&denominator.0) as i64 - bit_length(&numerator.0) as i64 + 64;
+        let quotient = if excess >= 0 {
+            (&numerator.0 << excess as usize) / &denominator.0
+        } else {
+            &numerator.0 / (&denominator.0 << (-excess) as usize)
+        };
+        let rounded: f64 = quotient.to_f64().value();
+        scale_by_power_of_two(rounded, -excess)
+    }
+}
+
+/// The number of bits of the absolute value.
+fn bit_length(value: &IBig) -> usize {
+    use dashu_int::ops::{BitTest, UnsignedAbs};
+    value.unsigned_abs().bit_len()
+}
+
+/// `value * 2^exponent` for exponents outside the range of a float too.
+pub(crate) fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
+    let mut scaled = value;
+    let mut left = exponent;
+    while left != 0 && scaled != 0.0 && scaled.is_finite() {
+        let step = left.clamp(-1000, 1000);
+        scaled *= f64::powi(2.0, step as i32);
+        left -= step;
+    }
+    scaled
+}
+
+impl Ring for BigInteger {
+    fn read(value: f64, unit: i32) -> Self {
+        let bits = value.to_bits();
+        let field = ((bits >> 52) & 0x7ff) as i32;
+        let fraction = bits & ((1 << 52) - 1);
+        let (mantissa, exponent) =
+            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+        let shift = exponent - unit;
+        let magnitude = if shift >= 0 {
+            IBig::from(mantissa) << shift as usize
+        } else {
+            // The value is a multiple of 2^unit: only zero bits fall off.
+            IBig::from(mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0))
+        };
+        BigInteger(if value < 0.0 { -magnitude } else { magnitude })
+    }
+}
+
+impl From<i64> for BigInteger {
+    fn from(value: i64) -> Self {
+        BigInteger(IBig::from(value))
+    }
+}
+
+impl Add for BigInteger {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        BigInteger(self.0 + other.0)
+    }
+}
+
+impl Sub for BigInteger {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        BigInteger(self.0 - other.0)
+    }
+}
+
+impl Mul for BigInteger {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        BigInteger(self.0 * other.0)
+    }
+}
+
+impl Neg for BigInteger {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        BigInteger(-self.0)
+    }
+}

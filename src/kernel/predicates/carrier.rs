@@ -1,0 +1,85 @@
+//! Points and lines that are known by the input that defines them.
+//!
+//! A line to be walked, the *carrier*, is an edge or the common line of two
+//! faces. Its ends are vertices or *piercings* (an edge through the plane
+//! of a face). What happens along it happens where it meets a plane: of a
+//! face, of an edge and the eye (an image crossing), of a vertex and the
+//! eye, or the near plane. Such a [`Place`] is never rounded; every
+//! question about it is a polynomial in input coordinates, because the
+//! functional of a plane is linear in the point it is applied to
+//! (Attene 2020 calls these implicit points).
+
+/// The point where an edge meets the plane of a face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Piercing {
+    /// The edge, directed so that its first vertex is not on the positive
+    /// side of the face and its second not on the negative side. Not both
+    /// lie on the face's plane.
+    pub edge: [u32; 2],
+    /// The corners of the face.
+    pub face: [u32; 3],
+}
+
+/// An input vertex or a piercing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Point {
+    /// A vertex.
+    Vertex(u32),
+    /// Where an edge meets the plane of a face.
+    Piercing(Piercing),
+}
+
+/// A straight line segment to be walked from its first end to its second.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Carrier {
+    /// Where the walk begins and ends.
+    pub ends: [Point; 2],
+}
+
+impl Carrier {
+    /// The edge from vertex `a` to vertex `b`.
+    pub fn edge(a: u32, b: u32) -> Self {
+        Carrier { ends: [Point::Vertex(a), Point::Vertex(b)] }
+    }
+
+    /// The same segment, walked the other way.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        let [start, end] = self.ends;
+        Carrier { ends: [end, start] }
+    }
+
+    /// The vertices, if this is an edge.
+    #[inline(always)]
+    pub fn as_edge(&self) -> Option<[u32; 2]> {
+        match self.ends {
+            [Point::Vertex(a), Point::Vertex(b)] => Some([a, b]),
+            _ => None,
+        }
+    }
+}
+
+/// A plane at which something may change along a carrier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Cut {
+    /// The plane of a face: the carrier pierces it.
+    Face([u32; 3]),
+    /// The plane of an edge and the eye: their images cross.
+    Silhouette([u32; 2]),
+    /// The plane of a vertex, the eye and an axis direction (0, 1, 2): the
+    /// carrier passes the image of the vertex.
+    Vertex(u32, u8),
+    /// The near plane.
+    Near,
+}
+
+/// A point of a carrier: an end or a cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// The first end.
+    Start,
+    /// The second end.
+    End,
+    /// Where a plane cuts the carrier strictly between its ends.
+    Cut(Cut),
+}

@@ -1,0 +1,303 @@
+//! The ladder of number types, and the policies that climb it.
+
+use super::formula::{
+    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Value,
+};
+use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
+use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign};
+use crate::run::Counters;
+use std::cell::Cell;
+use std::cmp::Ordering;
+
+/// The value of a functional: its certain sign, and the float with its
+/// bound from which further formulas can be filtered.
+#[derive(Debug, Clone, Copy)]
+pub struct Measured {
+    /// The sign, decided by the policy.
+    pub sign: Sign,
+    /// The float value; meaningful only where floats can hold the formula.
+    pub value: Filtered,
+}
+
+/// How often the filter failed, and how often only big integers helped.
+#[derive(Debug, Clone, Default)]
+pub struct Tally {
+    failures: [Cell<u64>; Predicate::COUNT],
+    big: [Cell<u64>; Predicate::COUNT],
+}
+
+/// How the sign of a formula is found.
+pub trait Policy: Copy + Default + Send + Sync + 'static {
+    /// The policy's name in tables.
+    const NAME: &'static str;
+
+    /// The sign of `formula`, given its float value.
+    fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign;
+
+    /// The sign of `formula`.
+    #[inline(always)]
+    fn decide<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
+        let value = formula.evaluate::<Filtered>(points);
+        Self::resolve(points, formula, value, tally)
+    }
+}
+
+/// The policy of the product: the sign is right, always.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Exact;
+
+/// The filter's float where the filter cannot decide: for measurements.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct FilterOnly;
+
+/// Plain floats without an error bound: for measurements.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Plain;
+
+impl Policy for Exact {
+    const NAME: &'static str = "exact";
+
+    #[inline(always)]
+    fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
+        if points.floats_hold(formula.bits(points.spread()))
+            && let Some(sign) = value.sign()
+        {
+            return sign;
+        }
+        exact_sign(points, formula, tally)
+    }
+}
+
+impl Policy for FilterOnly {
+    const NAME: &'static str = "filter-only";
+
+    #[inline(always)]
+    fn resolve<F: Formula>(_: &Points, _: &F, value: Filtered, _: &Tally) -> Sign {
+        value.sign().unwrap_or_else(|| Sign::of(value.value()))
+    }
+}
+
+impl Policy for Plain {
+    const NAME: &'static str = "plain";
+
+    #[inline(always)]
+    fn resolve<F: Formula>(_: &Points, _: &F, value: Filtered, _: &Tally) -> Sign {
+        Sign::of(value.value())
+    }
+
+    #[inline(always)]
+    fn decide<F: Formula>(points: &Points, formula: &F, _: &Tally) -> Sign {
+        Sign::of(formula.evaluate::<f64>(points))
+    }
+}
+
+/// The steps behind the filter: the narrowest integers that hold the value.
+#[cold]
+#[inline(never)]
+fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
+    let name = F::PREDICATE as usize;
+    tally.failures[name].set(tally.failures[name].get() + 1);
+    let bits = formula.bits(points.spread());
+    if points.is_narrow() {
+        match bits {
+            ..=192 => return formula.evaluate::<FixedInteger<3>>(points).sign(),
+            ..=384 => return formula.evaluate::<FixedInteger<6>>(points).sign(),
+            ..=768 => return formula.evaluate::<FixedInteger<12>>(points).sign(),
+            ..=1792 => return formula.evaluate::<FixedInteger<28>>(points).sign(),
+            _ => {}
+        }
+    }
+    tally.big[name].set(tally.big[name].get() + 1);
+    formula.evaluate::<BigInteger>(points).sign()
+}
+
+/// A view's points under a policy: what algorithms ask. One per worker,
+/// because it counts without locks.
+#[derive(Debug, Clone)]
+pub struct Predicates<'p, P: Policy = Exact> {
+    points: &'p Points,
+    tally: Tally,
+    policy: std::marker::PhantomData<P>,
+}
+
+impl<'p, P: Policy> Predicates<'p, P> {
+    /// Predicates on `points`.
+    pub fn new(points: &'p Points) -> Self {
+        Predicates { points, tally: Tally::default(), policy: std::marker::PhantomData }
+    }
+
+    /// The points.
+    pub fn points(&self) -> &'p Points {
+        self.points
+    }
+
+    /// Filter failures so far, by predicate.
+    pub fn counters(&self) -> Counters {
+        let mut counters = Counters::default();
+        for (i, [failures, big]) in Predicate::COUNTERS.iter().enumerate() {
+            for (name, cell) in [(failures, &self.tally.failures[i]), (big, &self.tally.big[i])] {
+                if cell.get() > 0 {
+                    counters.add(name, cell.get());
+                }
+            }
+        }
+        counters
+    }
+
+    /// The sign of a formula.
+    #[inline(always)]
+    pub fn decide<F: Formula>(&self, formula: &F) -> Sign {
+        P::decide(self.points, formula, &self.tally)
+    }
+
+    /// On which side of the image of pq does that of r lie? Positive is
+    /// left. Degree 3.
+    #[inline(always)]
+    pub fn side(&self, p: u32, q: u32, r: u32) -> Sign {
+        self.decide(&Side(p, q, r))
+    }
+
+    /// Which way a triangle's corners turn in the image; zero is edge-on.
+    #[inline(always)]
+    pub fn facing(&self, [a, b, c]: [u32; 3]) -> Sign {
+        self.side(a, b, c)
+    }
+
+    /// On which side of a triangle's plane does vertex `x` lie? Positive is
+    /// where abc and x have a positive `[a, b, c, x]`; a point is behind the
+    /// triangle where this equals [`Self::facing`]. Degree 3.
+    #[inline(always)]
+    pub fn plane(&self, face: [u32; 3], x: u32) -> Sign {
+        self.decide(&Orientation(face, x))
+    }
+
+    /// The functional of a cutting plane at an end of a carrier.
+    #[inline(always)]
+    pub fn value(&self, cut: Cut, point: Point) -> Measured {
+        let formula = Value(cut, point);
+        let value = formula.evaluate::<Filtered>(self.points);
+        Measured { sign: P::resolve(self.points, &formula, value, &self.tally), value }
+    }
+
+    /// The sign of [`Self::value`].
+    #[inline(always)]
+    pub fn value_sign(&self, cut: Cut, point: Point) -> Sign {
+        self.decide(&Value(cut, point))
+    }
+
+    /// On which side of a carrier's image does vertex `x` lie?
+    #[inline(always)]
+    pub fn image_side(&self, carrier: Carrier, x: u32) -> Sign {
+        match carrier.as_edge() {
+            Some([p, q]) => self.side(p, q, x),
+            None => self.decide(&ImageSide(carrier, x)),
+        }
+    }
+
+    /// The sign of `[start, end, a, b]`: zero if the carrier's line meets
+    /// the line ab in space.
+    #[inline(always)]
+    pub fn skew(&self, carrier: Carrier, edge: [u32; 2]) -> Sign {
+        self.decide(&Skew(carrier, edge))
+    }
+
+    /// The sign of a cut's functional at the point that divides the carrier
+    /// in the ratio `weights[1] : weights[0]`; weights are positive integers
+    /// below 2^64 held in floats.
+    pub fn combination(&self, carrier: Carrier, weights: [f64; 2], cut: Cut) -> Sign {
+        self.decide(&Combination { carrier, weights, cut })
+    }
+
+    /// Compares the places of two cuts along a carrier. `first` and
+    /// `second` carry the values at its start and end; each cut's signs must
+    /// differ (one of them may be zero).
+    #[inline]
+    pub fn order(
+        &self,
+        carrier: Carrier,
+        first: (Cut, &[Measured; 2]),
+        second: (Cut, &[Measured; 2]),
+    ) -> Ordering {
+        if first.0 == second.0 {
+            return Ordering::Equal;
+        }
+        let ([a1, b1], [a2, b2]) = (first.1, second.1);
+        let formula = Order { carrier, first: first.0, second: second.0 };
+        let value = a2.value * b1.value - a1.value * b2.value;
+        let sign = P::resolve(self.points, &formula, value, &self.tally);
+        (sign * span_sign(first.1) * span_sign(second.1)).into()
+    }
+
+    /// Compares two places on carriers whose images lie on one line, by
+    /// their order along the image of `reference`, whose image runs across
+    /// `axis`: see [`Self::axis_across`].
+    pub fn order_along_image(
+        &self,
+        reference: Carrier,
+        axis: u8,
+        first: (Carrier, Place),
+        second: (Carrier, Place),
+    ) -> Ordering {
+        let locate = |(carrier, place): (Carrier, Place)| Located {
+            carrier,
+            place,
+            positive_start: match place {
+                Place::Cut(cut) => self.value_sign(cut, carrier.ends[0]) == Sign::Positive
+                    || self.value_sign(cut, carrier.ends[1]) == Sign::Negative,
+                Place::Start | Place::End => true,
+            },
+        };
+        let compare = |first, second| self.decide(&AlongImage { first, second, axis });
+        let sense = compare(
+            locate((reference, Place::Start)),
+            locate((reference, Place::End)),
+        );
+        (-(compare(locate(first), locate(second)) * sense)).into()
+    }
+
+    /// An axis direction that does not lie in the plane of the carrier and
+    /// the eye, if the carrier's image is more than a point.
+    pub fn axis_across(&self, carrier: Carrier) -> Option<u8> {
+        let start = Located { carrier, place: Place::Start, positive_start: true };
+        let end = Located { carrier, place: Place::End, positive_start: true };
+        (0..3).find(|&axis| {
+            !self.decide(&AlongImage { first: start, second: end, axis }).is_zero()
+        })
+    }
+
+    /// The parameter of a cut, from 0 at the carrier's start to 1 at its
+    /// end, correct to 2^-52. The ends count with equal weight.
+    pub fn parameter(&self, carrier: Carrier, cut: Cut, values: &[Measured; 2]) -> f64 {
+        let [a, b] = values.map(|measured| measured.value);
+        let formula = Value(cut, carrier.ends[0]);
+        let vertices = carrier.as_edge().is_some();
+        if vertices && self.points.floats_hold(formula.bits(self.points.spread())) {
+            let (x, y) = (a.value().abs(), b.value().abs());
+            let span = x + y;
+            let error = (a.bound() * y + b.bound() * x) / (span * span);
+            if error < f64::EPSILON / 4.0 {
+                return x / span;
+            }
+        }
+        self.exact_parameter(carrier, cut)
+    }
+
+    /// [`Self::parameter`] by big integers.
+    #[cold]
+    fn exact_parameter(&self, carrier: Carrier, cut: Cut) -> f64 {
+        let [start, end] = carrier.ends;
+        let value = |point, other| {
+            // The weight of the other end makes both ends count alike.
+            let weight = super::formula::weight::<BigInteger>(self.points, other);
+            Value(cut, point).evaluate::<BigInteger>(self.points) * weight
+        };
+        let (a, b) = (value(start, end), value(end, start));
+        BigInteger::ratio(&a, &(a.clone() - b))
+    }
+}
+
+/// The sign of `A - B` for values of differing signs.
+#[inline(always)]
+fn span_sign(values: &[Measured; 2]) -> Sign {
+    values[0].sign.or(-values[1].sign)
+}

@@ -1,0 +1,38 @@
+//! Exact predicates: the only place where position is decided.
+//!
+//! A predicate is the sign of a determinant of input coordinates, or of a
+//! small polynomial in such determinants. [`Points`] holds a view's
+//! coordinates and its eye, [`Formula`] a polynomial, a [`Policy`] decides
+//! its sign: [`Exact`] climbs a ladder of number types until the sign is
+//! certain, [`FilterOnly`] and [`Plain`] stop at floats and exist to
+//! measure what exactness costs and buys. [`Predicates`] puts the three
+//! together and counts how often the filter failed.
+//!
+//! Conventions. `[p, q, r, s]` is the 4 x 4 determinant with homogeneous
+//! rows. The eye `E` is a row with `w = 1` (perspective) or `w = 0` (the
+//! direction towards an orthographic viewer).
+//!
+//! ```text
+//!   side(p, q, r)        = sign [E, p, q, r]   + : r is left of pq in the image
+//!   facing(t)            = side(t0, t1, t2)    0 : t is edge-on
+//!   plane(t, x)          = sign [t0, t1, t2, x]
+//!   x is behind t       <=> plane(t, x) = facing(t), neither zero
+//!   x is inside t's image <=> side(ti, ti+1, x) = facing(t) for i = 0, 1, 2
+//! ```
+//!
+//! "Left" always means a half-space of space, so these hold for points
+//! behind a perspective eye too.
+
+mod carrier;
+mod eye;
+mod fold;
+mod formula;
+mod ladder;
+mod points;
+
+pub use carrier::{Carrier, Cut, Piercing, Place, Point};
+pub use eye::{Eye, NearPlane};
+pub use fold::{Fold, FoldThreshold};
+pub use formula::{Formula, Predicate};
+pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates};
+pub use points::Points;

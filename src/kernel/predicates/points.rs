@@ -1,0 +1,213 @@
+//! The coordinates of a view: vertices and eye, scaled to integers.
+//!
+//! One pass measures the *spread*: the number of binary orders between the
+//! highest set bit and the lowest set bit of any coordinate. Where it is at
+//! most 125, everything is multiplied by one power of two, so that all
+//! coordinates are integers below `2^spread` held in floats: products then
+//! cannot underflow, they overflow only beyond a known degree, and integer
+//! arithmetic of fixed width reads the very same array. The direction of an
+//! orthographic eye and the forward direction are scaled on their own, for
+//! a determinant is linear in each row. Wider scenes (1e-300 beside 1e300)
+//! stay as they are and are decided by big integers alone.
+
+use super::{Eye, NearPlane};
+use crate::kernel::numbers::Ring;
+use crate::run::{fill_indexed, map_chunks};
+use glam::DVec3;
+
+/// The largest spread that fixed widths hold.
+const NARROW: u32 = 125;
+
+/// Bits of the largest float exponent, with room for the sums of a formula.
+const FLOAT_BITS: u32 = 1020;
+
+/// Lowest and highest exponent of the bits in use, if there is any bit.
+#[derive(Debug, Clone, Copy)]
+struct BitRange {
+    lowest: i32,
+    above: i32,
+}
+
+impl BitRange {
+    const EMPTY: Self = BitRange { lowest: i32::MAX, above: i32::MIN };
+
+    fn include(&mut self, value: f64) {
+        if value == 0.0 {
+            return;
+        }
+        let bits = value.to_bits();
+        let field = ((bits >> 52) & 0x7ff) as i32;
+        let fraction = bits & ((1 << 52) - 1);
+        let (mantissa, exponent) =
+            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+        self.lowest = self.lowest.min(exponent + mantissa.trailing_zeros() as i32);
+        self.above = self.above.max(exponent + 64 - mantissa.leading_zeros() as i32);
+    }
+
+    fn of(values: impl IntoIterator<Item = DVec3>) -> Self {
+        let mut range = Self::EMPTY;
+        for vector in values {
+            vector.to_array().into_iter().for_each(|x| range.include(x));
+        }
+        range
+    }
+
+    fn union(self, other: Self) -> Self {
+        BitRange { lowest: self.lowest.min(other.lowest), above: self.above.max(other.above) }
+    }
+
+    fn width(self) -> u32 {
+        if self.lowest == i32::MAX { 0 } else { (self.above - self.lowest).unsigned_abs() }
+    }
+
+    /// The exponent of the unit: zero where there is no bit at all.
+    fn unit(self) -> i32 {
+        if self.lowest == i32::MAX { 0 } else { self.lowest }
+    }
+}
+
+/// `value / 2^unit`, exact because the result is a representable integer.
+fn divide_by_unit(value: f64, unit: i32) -> f64 {
+    // One power of two may be out of range; two halves never are.
+    let half = -unit / 2;
+    value * f64::powi(2.0, half) * f64::powi(2.0, -unit - half)
+}
+
+/// The forward direction and offset of a near plane, scaled.
+#[derive(Debug, Clone, Copy)]
+struct ScaledNear {
+    forward: [f64; 3],
+    forward_unit: i32,
+    offset: f64,
+    offset_unit: i32,
+}
+
+/// A view's coordinates, ready for predicates. Vertices are named by
+/// their index.
+#[derive(Debug, Clone)]
+pub struct Points {
+    vertices: Vec<[f64; 3]>,
+    unit: i32,
+    eye: [f64; 3],
+    eye_unit: i32,
+    perspective: bool,
+    near: Option<ScaledNear>,
+    spread: u32,
+}
+
+impl Points {
+    /// Measures and scales the vertices, the eye and the near plane of a
+    /// view. All numbers must be finite. O(n).
+    pub fn new(vertices: &[DVec3], eye: Eye, near: Option<NearPlane>) -> Self {
+        let ranges =
+            map_chunks(vertices.len(), 1 << 16, |part| BitRange::of(vertices[part].iter().copied()));
+        let mut points = ranges.into_iter().fold(BitRange::EMPTY, BitRange::union);
+        let eye_range = BitRange::of([eye.coordinates()]);
+        let mut directions = BitRange::EMPTY;
+        if eye.is_perspective() {
+            points = points.union(eye_range);
+        } else {
+            directions = eye_range;
+        }
+        let forward_range =
+            near.map_or(BitRange::EMPTY, |plane| BitRange::of([plane.forward]));
+        let spread = points.width().max(directions.width()).max(forward_range.width());
+        let narrow = spread <= NARROW;
+        let shift = |value: f64, unit: i32| if narrow { divide_by_unit(value, unit) } else { value };
+        let shift3 = |v: DVec3, unit: i32| v.to_array().map(|x| shift(x, unit));
+        let kept_unit = |unit: i32| if narrow { 0 } else { unit };
+
+        let mut scaled = vec![[0.0; 3]; vertices.len()];
+        fill_indexed(&mut scaled, |i| shift3(vertices[i], points.unit()));
+        let eye_range = if eye.is_perspective() { points } else { directions };
+        Points {
+            vertices: scaled,
+            unit: kept_unit(points.unit()),
+            eye: shift3(eye.coordinates(), eye_range.unit()),
+            eye_unit: kept_unit(eye_range.unit()),
+            perspective: eye.is_perspective(),
+            near: near.map(|plane| {
+                let (unit, forward_unit) = (points.unit(), forward_range.unit());
+                let offset = plane.distance * plane.forward.length();
+                // The plane's offset counts whole units of forward times
+                // whole units of the scene.
+                let both = unit + forward_unit;
+                ScaledNear {
+                    forward: shift3(plane.forward, forward_unit),
+                    forward_unit: kept_unit(forward_unit),
+                    offset: if narrow { divide_by_unit(offset, both).floor() } else { offset },
+                    offset_unit: kept_unit(both),
+                }
+            }),
+            spread,
+        }
+    }
+
+    /// The number of vertices.
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Whether there is no vertex.
+    pub fn is_empty(&self) -> bool {
+        self.vertices.is_empty()
+    }
+
+    /// The number of binary orders that the coordinates span.
+    pub fn spread(&self) -> u32 {
+        self.spread
+    }
+
+    /// Whether the eye is a point, not a direction.
+    pub fn is_perspective(&self) -> bool {
+        self.perspective
+    }
+
+    /// Whether lines are cut at a near plane.
+    pub fn has_near_plane(&self) -> bool {
+        self.near.is_some()
+    }
+
+    /// Whether coordinates are integers of at most 125 bits.
+    pub(super) fn is_narrow(&self) -> bool {
+        self.spread <= NARROW
+    }
+
+    /// Whether floats can evaluate a formula whose value has `bits` bits.
+    #[inline(always)]
+    pub(super) fn floats_hold(&self, bits: u32) -> bool {
+        self.spread <= NARROW && bits <= FLOAT_BITS
+    }
+
+    /// The coordinates of a vertex, in units.
+    #[inline(always)]
+    pub(super) fn vertex<R: Ring>(&self, index: u32) -> [R; 3] {
+        self.vertices[index as usize].map(|x| R::read(x, self.unit))
+    }
+
+    /// The direction or position of the eye, in its own unit.
+    #[inline(always)]
+    pub(super) fn eye<R: Ring>(&self) -> [R; 3] {
+        self.eye.map(|x| R::read(x, self.eye_unit))
+    }
+
+    /// Forward direction and offset of the near plane, if there is one.
+    pub(super) fn near<R: Ring>(&self) -> Option<([R; 3], R)> {
+        self.near.map(|plane| {
+            let forward = plane.forward.map(|x| R::read(x, plane.forward_unit));
+            (forward, R::read(plane.offset, plane.offset_unit))
+        })
+    }
+
+    /// Whether two vertices have the same position.
+    #[inline(always)]
+    pub fn coincide(&self, a: u32, b: u32) -> bool {
+        a == b || self.vertices[a as usize] == self.vertices[b as usize]
+    }
+
+    /// Orders two vertices by their coordinates, x first.
+    pub fn compare(&self, a: u32, b: u32) -> std::cmp::Ordering {
+        let (a, b) = (&self.vertices[a as usize], &self.vertices[b as usize]);
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
+    }
+}
