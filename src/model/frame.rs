@@ -31,6 +31,18 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// Coordinates along right, up and forward, after the shear of an
+    /// oblique view and before the division of a perspective one.
+    pub fn coordinates(&self, point: DVec3) -> DVec3 {
+        let offset = point - self.origin;
+        let depth = self.forward.dot(offset);
+        let plane = DVec2::new(self.right.dot(offset), self.up.dot(offset));
+        match self.projection {
+            Projection::Orthographic => (plane + self.shear * depth).extend(depth),
+            Projection::Perspective => plane.extend(depth),
+        }
+    }
+
     /// Depth of a world point: signed distance along `forward`, world units.
     pub fn depth(&self, point: DVec3) -> f64 {
         self.forward.dot(point - self.origin)
@@ -39,11 +51,10 @@ impl Frame {
     /// Image coordinates of a world point: world units (orthographic) or
     /// tangents (perspective, where the depth must be positive).
     pub fn image(&self, point: DVec3) -> DVec2 {
-        let offset = point - self.origin;
-        let plane = DVec2::new(self.right.dot(offset), self.up.dot(offset));
+        let point = self.coordinates(point);
         match self.projection {
-            Projection::Orthographic => plane + self.shear * self.forward.dot(offset),
-            Projection::Perspective => plane / self.forward.dot(offset),
+            Projection::Orthographic => point.truncate(),
+            Projection::Perspective => point.truncate() / point.z,
         }
     }
 }

@@ -1,6 +1,30 @@
-//! Models: what files say ([`Soup`]), read by [`import`].
+//! Models: what files say ([`Soup`]), the mesh made of it ([`Mesh`]), the
+//! camera, and which edges are lines for it.
 
+mod adjacency;
+mod camera;
+mod faces;
+mod features;
+mod frame;
 pub mod import;
+mod intersections;
+mod line_class;
+mod mesh;
+mod sanity;
+mod scene;
 mod soup;
+mod standard_views;
+mod view_coordinates;
+mod weld;
 
+pub use adjacency::Edges;
+pub use camera::{Camera, CameraError, View};
+pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
+pub use frame::{Frame, Projection};
+pub use intersections::{IntersectionLine, Intersections, triangle_hierarchy};
+pub use line_class::LineClass;
+pub use mesh::{Mesh, MeshError, MeshReport, Object};
+pub use scene::{Scene, SceneOptions};
 pub use soup::{Color, Faces, Placement, Soup, Unit, UpAxis};
+pub use standard_views::StandardView;
+pub use view_coordinates::ViewCoordinates;

@@ -1,1 +1,10 @@
-//! To come.
+//! Boxes and hierarchies: they propose what may meet, they never decide.
+//! Every box is rounded outward, so there may be a false "maybe" and never
+//! a false "no".
+
+mod bounds;
+
+mod hierarchy;
+
+pub use bounds::{Bounds, Rounding};
+pub use hierarchy::{Hierarchy, SegmentProbe};

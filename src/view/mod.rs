@@ -1,7 +1,14 @@
-//! The contract: what methods are asked and what they answer.
+//! The contract between models, methods and drawings: what a method is
+//! asked ([`LineQuestion`]) and what it answers ([`ExactLines`], rounded
+//! and reduced to [`VisibleLines`]).
 
-mod frame;
+mod exact_lines;
+mod prepare;
+mod question;
 mod visible_lines;
 
-pub use frame::{Frame, Projection};
-pub use visible_lines::{LineClass, LinePiece, LineSource, VisibleLines};
+pub use crate::model::{Frame, LineClass, Projection};
+pub use exact_lines::{ExactLines, ExactPiece};
+pub use prepare::PreparedView;
+pub use question::LineQuestion;
+pub use visible_lines::{LinePiece, LineSource, VisibleLines};

@@ -8,7 +8,7 @@
 //! `(m.n)^2 - cos^2 m^2 n^2`, a polynomial of degree eight, in which the
 //! cosine is an input number like any other.
 
-use super::{Formula, Policy, Points, Predicate, Predicates};
+use super::{Formula, Points, Policy, Predicate, Predicates};
 use crate::kernel::numbers::{Ring, Sign, cross, difference, dot};
 
 /// Binary places of a threshold's cosine.
@@ -25,7 +25,9 @@ impl FoldThreshold {
     /// (none is). The cosine is rounded once; from there on it is exact.
     pub fn from_degrees(degrees: f64) -> Self {
         let scale = f64::powi(2.0, COSINE_BITS);
-        FoldThreshold { cosine: (degrees.to_radians().cos() * scale).round() }
+        FoldThreshold {
+            cosine: (degrees.to_radians().cos() * scale).round(),
+        }
     }
 }
 
@@ -59,8 +61,8 @@ impl Formula for FoldFormula {
     #[inline(always)]
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         let origin = points.vertex::<R>(self.edge[0]);
-        let [edge, c, d] =
-            [self.edge[1], self.thirds[0], self.thirds[1]].map(|i| difference(points.vertex(i), &origin));
+        let [edge, c, d] = [self.edge[1], self.thirds[0], self.thirds[1]]
+            .map(|i| difference(points.vertex(i), &origin));
         let m = cross(edge.clone(), c);
         let n = cross(edge, d);
         let product = dot(m.clone(), n.clone());
@@ -94,7 +96,11 @@ impl Fold {
         thirds: [u32; 2],
         threshold: FoldThreshold,
     ) -> Self {
-        let product = predicates.decide(&FoldFormula { edge, thirds, part: Part::Product });
+        let product = predicates.decide(&FoldFormula {
+            edge,
+            thirds,
+            part: Part::Product,
+        });
         let wide = threshold.cosine < 0.0;
         // Where m.n and -cos differ in sign no square is needed.
         let exceeds = match (product == Sign::Positive, wide) {
@@ -103,7 +109,11 @@ impl Fold {
             (true, true) | (false, false) => {
                 let part = Part::Excess(threshold);
                 let excess = predicates.decide(&FoldFormula { edge, thirds, part });
-                if wide { excess == Sign::Positive } else { excess == Sign::Negative }
+                if wide {
+                    excess == Sign::Positive
+                } else {
+                    excess == Sign::Negative
+                }
             }
         };
         Fold { exceeds }

@@ -1,7 +1,7 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Value,
+    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign};
@@ -123,7 +123,11 @@ pub struct Predicates<'p, P: Policy = Exact> {
 impl<'p, P: Policy> Predicates<'p, P> {
     /// Predicates on `points`.
     pub fn new(points: &'p Points) -> Self {
-        Predicates { points, tally: Tally::default(), policy: std::marker::PhantomData }
+        Predicates {
+            points,
+            tally: Tally::default(),
+            policy: std::marker::PhantomData,
+        }
     }
 
     /// The points.
@@ -135,7 +139,10 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn counters(&self) -> Counters {
         let mut counters = Counters::default();
         for (i, [failures, big]) in Predicate::COUNTERS.iter().enumerate() {
-            for (name, cell) in [(failures, &self.tally.failures[i]), (big, &self.tally.big[i])] {
+            for (name, cell) in [
+                (failures, &self.tally.failures[i]),
+                (big, &self.tally.big[i]),
+            ] {
                 if cell.get() > 0 {
                     counters.add(name, cell.get());
                 }
@@ -163,6 +170,13 @@ impl<'p, P: Policy> Predicates<'p, P> {
         self.side(a, b, c)
     }
 
+    /// Which way the image of a closed ring of consecutive vertices turns,
+    /// by its signed area: positive is counterclockwise. For orthographic
+    /// eyes; the ring need not be simple. O(n).
+    pub fn turn(&self, ring: std::ops::Range<u32>) -> Sign {
+        self.decide(&Turn(ring))
+    }
+
     /// On which side of a triangle's plane does vertex `x` lie? Positive is
     /// where abc and x have a positive `[a, b, c, x]`; a point is behind the
     /// triangle where this equals [`Self::facing`]. Degree 3.
@@ -176,7 +190,10 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn value(&self, cut: Cut, point: Point) -> Measured {
         let formula = Value(cut, point);
         let value = formula.evaluate::<Filtered>(self.points);
-        Measured { sign: P::resolve(self.points, &formula, value, &self.tally), value }
+        Measured {
+            sign: P::resolve(self.points, &formula, value, &self.tally),
+            value,
+        }
     }
 
     /// The sign of [`Self::value`].
@@ -205,7 +222,11 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// in the ratio `weights[1] : weights[0]`; weights are positive integers
     /// below 2^64 held in floats.
     pub fn combination(&self, carrier: Carrier, weights: [f64; 2], cut: Cut) -> Sign {
-        self.decide(&Combination { carrier, weights, cut })
+        self.decide(&Combination {
+            carrier,
+            weights,
+            cut,
+        })
     }
 
     /// Compares the places of two cuts along a carrier. `first` and
@@ -222,7 +243,11 @@ impl<'p, P: Policy> Predicates<'p, P> {
             return Ordering::Equal;
         }
         let ([a1, b1], [a2, b2]) = (first.1, second.1);
-        let formula = Order { carrier, first: first.0, second: second.0 };
+        let formula = Order {
+            carrier,
+            first: first.0,
+            second: second.0,
+        };
         let value = a2.value * b1.value - a1.value * b2.value;
         let sign = P::resolve(self.points, &formula, value, &self.tally);
         (sign * span_sign(first.1) * span_sign(second.1)).into()
@@ -242,12 +267,20 @@ impl<'p, P: Policy> Predicates<'p, P> {
             carrier,
             place,
             positive_start: match place {
-                Place::Cut(cut) => self.value_sign(cut, carrier.ends[0]) == Sign::Positive
-                    || self.value_sign(cut, carrier.ends[1]) == Sign::Negative,
+                Place::Cut(cut) => {
+                    self.value_sign(cut, carrier.ends[0]) == Sign::Positive
+                        || self.value_sign(cut, carrier.ends[1]) == Sign::Negative
+                }
                 Place::Start | Place::End => true,
             },
         };
-        let compare = |first, second| self.decide(&AlongImage { first, second, axis });
+        let compare = |first, second| {
+            self.decide(&AlongImage {
+                first,
+                second,
+                axis,
+            })
+        };
         let sense = compare(
             locate((reference, Place::Start)),
             locate((reference, Place::End)),
@@ -258,10 +291,24 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// An axis direction that does not lie in the plane of the carrier and
     /// the eye, if the carrier's image is more than a point.
     pub fn axis_across(&self, carrier: Carrier) -> Option<u8> {
-        let start = Located { carrier, place: Place::Start, positive_start: true };
-        let end = Located { carrier, place: Place::End, positive_start: true };
+        let start = Located {
+            carrier,
+            place: Place::Start,
+            positive_start: true,
+        };
+        let end = Located {
+            carrier,
+            place: Place::End,
+            positive_start: true,
+        };
         (0..3).find(|&axis| {
-            !self.decide(&AlongImage { first: start, second: end, axis }).is_zero()
+            !self
+                .decide(&AlongImage {
+                    first: start,
+                    second: end,
+                    axis,
+                })
+                .is_zero()
         })
     }
 

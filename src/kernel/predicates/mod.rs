@@ -24,6 +24,7 @@
 //! behind a perspective eye too.
 
 mod carrier;
+mod collinear;
 mod eye;
 mod fold;
 mod formula;
@@ -31,6 +32,7 @@ mod ladder;
 mod points;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point};
+pub use collinear::are_collinear;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};

@@ -1,0 +1,271 @@
+//! Which edges are lines, for this scene and this eye.
+//!
+//! An edge is seen with its triangles to its left or to its right in the
+//! image; edge-on triangles are on neither side. From that alone follow
+//! contours and *effective* edges, those behind which the number of sheets
+//! changes; winding is never read, for the side of a triangle is where its
+//! third corner lies. Creases need the angle of the two faces, compared
+//! exactly with the threshold. (Appel 1967 calls effective edges contour
+//! lines; for closed surfaces they are the same.)
+
+use super::{LineClass, Mesh};
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Fold, FoldThreshold, Points, Policy, Predicates};
+use crate::run::{Counters, Run, map_chunks};
+
+/// Which lines are wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeatureOptions {
+    classes: [bool; LineClass::ALL.len()],
+    fold: FoldThreshold,
+}
+
+impl Default for FeatureOptions {
+    /// All classes but `mesh`, creases from 30 degrees.
+    fn default() -> Self {
+        let classes = LineClass::ALL.map(|class| class != LineClass::Mesh);
+        FeatureOptions {
+            classes,
+            fold: FoldThreshold::from_degrees(30.0),
+        }
+    }
+}
+
+impl FeatureOptions {
+    /// Exactly these classes.
+    #[must_use]
+    pub fn with_classes(mut self, classes: &[LineClass]) -> Self {
+        self.classes = LineClass::ALL.map(|class| classes.contains(&class));
+        self
+    }
+
+    /// Creases are folds of more than this many degrees.
+    #[must_use]
+    pub fn with_crease_degrees(mut self, degrees: f64) -> Self {
+        self.fold = FoldThreshold::from_degrees(degrees);
+        self
+    }
+
+    /// Whether lines of this class are wanted.
+    pub fn wants(&self, class: LineClass) -> bool {
+        self.classes[class as usize]
+    }
+}
+
+/// What carries a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum LineOrigin {
+    /// An edge of the mesh.
+    Edge(u32),
+    /// A loose line of the mesh.
+    Loose(u32),
+    /// An intersection line.
+    Intersection(u32),
+}
+
+/// A line to be drawn where it is visible.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FeatureLine {
+    /// Its carrier.
+    pub origin: LineOrigin,
+    /// Its class.
+    pub class: LineClass,
+}
+
+/// An edge behind which the number of sheets changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct EffectiveEdge {
+    /// The edge.
+    pub edge: u32,
+    /// How many sheets a line behind it gains when it passes from the left
+    /// of the edge to its right; never zero.
+    pub gain: i32,
+}
+
+/// Lines and effective edges of a view.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Features {
+    /// The lines, by edge number.
+    pub lines: Vec<FeatureLine>,
+    /// The effective edges, by edge number.
+    pub effective: Vec<EffectiveEdge>,
+}
+
+/// Edges that one task classifies.
+const PART: usize = 1 << 14;
+
+/// How each triangle faces the eye. O(n).
+pub fn facing<P: Policy>(mesh: &Mesh, points: &Points, run: &Run) -> Vec<Sign> {
+    let triangles = mesh.triangles();
+    let parts = map_chunks(triangles.len(), PART, |part| {
+        let predicates = Predicates::<P>::new(points);
+        let signs: Vec<Sign> = triangles[part]
+            .iter()
+            .map(|&t| predicates.facing(t))
+            .collect();
+        (signs, predicates.counters())
+    });
+    let mut facing = Vec::with_capacity(triangles.len());
+    for (signs, counters) in parts {
+        facing.extend_from_slice(&signs);
+        run.merge(&counters);
+    }
+    facing
+}
+
+impl Features {
+    /// Classifies all edges and loose lines. O(n).
+    pub fn find<P: Policy>(
+        mesh: &Mesh,
+        points: &Points,
+        facing: &[Sign],
+        options: &FeatureOptions,
+        run: &Run,
+    ) -> Self {
+        let parts = map_chunks(mesh.edges().len(), PART, |part| {
+            let predicates = Predicates::<P>::new(points);
+            let mut found = Features::default();
+            for edge in part {
+                found.add_edge(mesh, &predicates, facing, options, edge as u32);
+            }
+            (found, predicates.counters())
+        });
+        let mut features = Features::default();
+        for (found, counters) in parts {
+            features.lines.extend_from_slice(&found.lines);
+            features.effective.extend_from_slice(&found.effective);
+            run.merge(&counters);
+        }
+        if options.wants(LineClass::Line) {
+            let loose = 0..mesh.loose_lines().len() as u32;
+            features.lines.extend(loose.map(|index| FeatureLine {
+                origin: LineOrigin::Loose(index),
+                class: LineClass::Line,
+            }));
+        }
+        features.count(mesh, run);
+        features
+    }
+
+    fn add_edge<P: Policy>(
+        &mut self,
+        mesh: &Mesh,
+        predicates: &Predicates<'_, P>,
+        facing: &[Sign],
+        options: &FeatureOptions,
+        edge: u32,
+    ) {
+        let sides = EdgeSides::of(mesh, facing, edge);
+        if sides.left != sides.right {
+            self.effective.push(EffectiveEdge {
+                edge,
+                gain: sides.right - sides.left,
+            });
+        }
+        if let Some(class) = class_of(mesh, predicates, &sides, options, edge) {
+            self.lines.push(FeatureLine {
+                origin: LineOrigin::Edge(edge),
+                class,
+            });
+        }
+    }
+
+    fn count(&self, mesh: &Mesh, run: &Run) {
+        let mut counters = Counters::default();
+        counters.add("edges", mesh.edges().len() as u64);
+        counters.add("triangles", mesh.triangles().len() as u64);
+        counters.add("feature-lines", self.lines.len() as u64);
+        counters.add("effective-edges", self.effective.len() as u64);
+        run.merge(&counters);
+    }
+}
+
+/// How many triangles at an edge lie on which side of it in the image.
+#[derive(Debug, Clone, Copy)]
+struct EdgeSides {
+    left: i32,
+    right: i32,
+    /// All triangles, edge-on ones too.
+    all: i32,
+}
+
+impl EdgeSides {
+    #[inline]
+    fn of(mesh: &Mesh, facing: &[Sign], edge: u32) -> Self {
+        let ends = mesh.edges().ends(edge);
+        let triangles = mesh.edges().triangles(edge);
+        let mut sides = EdgeSides {
+            left: 0,
+            right: 0,
+            all: triangles.len() as i32,
+        };
+        for &triangle in triangles {
+            // The third corner is left of an edge that the triangle runs
+            // along if the triangle turns counter-clockwise.
+            let turn = facing[triangle as usize];
+            let side = if mesh.runs_along(triangle, ends) {
+                turn
+            } else {
+                -turn
+            };
+            match side {
+                Sign::Positive => sides.left += 1,
+                Sign::Negative => sides.right += 1,
+                Sign::Zero => {}
+            }
+        }
+        sides
+    }
+
+    /// Two faces on one side, or exactly one of the two edge-on.
+    fn is_contour(self) -> bool {
+        let seen = self.left + self.right;
+        self.all == 2 && (seen == 1 || (seen == 2 && self.left != self.right))
+    }
+}
+
+/// The first wanted class that an edge belongs to.
+#[inline]
+fn class_of<P: Policy>(
+    mesh: &Mesh,
+    predicates: &Predicates<'_, P>,
+    sides: &EdgeSides,
+    options: &FeatureOptions,
+    edge: u32,
+) -> Option<LineClass> {
+    let wanted = |class| options.wants(class).then_some(class);
+    let mesh_line = || wanted(LineClass::Mesh);
+    match sides.all {
+        1 => wanted(LineClass::Boundary).or_else(mesh_line),
+        2 => {
+            if sides.is_contour()
+                && let Some(class) = wanted(LineClass::Contour)
+            {
+                return Some(class);
+            }
+            if mesh.is_inner(edge) {
+                return None;
+            }
+            if options.wants(LineClass::Crease) && is_crease(mesh, predicates, options, edge) {
+                return Some(LineClass::Crease);
+            }
+            mesh_line()
+        }
+        _ => wanted(LineClass::NonManifold).or_else(mesh_line),
+    }
+}
+
+#[inline]
+fn is_crease<P: Policy>(
+    mesh: &Mesh,
+    predicates: &Predicates<'_, P>,
+    options: &FeatureOptions,
+    edge: u32,
+) -> bool {
+    let &[first, second] = mesh.edges().triangles(edge) else {
+        return false;
+    };
+    let ends = mesh.edges().ends(edge);
+    let thirds = [mesh.third(first, ends), mesh.third(second, ends)];
+    Fold::measure(predicates, ends, thirds, options.fold).exceeds
+}

@@ -1,0 +1,373 @@
+//! The mesh: all objects of a scene in flat arrays, welded within each
+//! object, with edges and adjacency.
+//!
+//! Vertices, triangles and edges are numbered through the whole scene;
+//! objects are ranges of them. Nothing is assumed about the soup: it may be
+//! open, non-manifold, inconsistently wound, and pass through itself.
+
+use super::adjacency::edges_of;
+use super::faces::{Triangles, triangles_of};
+use super::weld::{merge_close, weld};
+use super::{Color, Edges, Soup};
+use crate::run::{map_chunks, map_indexed};
+use glam::DVec3;
+use std::ops::Range;
+
+/// One object: a name and its ranges in the arrays of the [`Mesh`].
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Object {
+    /// The name from the file; empty if it has none.
+    pub name: String,
+    /// Its vertices.
+    pub vertices: Range<u32>,
+    /// Its triangles.
+    pub triangles: Range<u32>,
+    /// Its faces, counting those set aside.
+    pub faces: Range<u32>,
+    /// Its loose lines.
+    pub loose_lines: Range<u32>,
+}
+
+/// What was done to the faces and vertices of the files.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct MeshReport {
+    /// Vertices that fell together with an earlier one.
+    pub welded_vertices: usize,
+    /// Vertices moved by a welding tolerance.
+    pub merged_vertices: usize,
+    /// Faces without area, set aside.
+    pub zero_area_faces: usize,
+    /// Faces with the vertices of an earlier one, set aside.
+    pub duplicate_faces: usize,
+    /// Polygons whose corners are not coplanar, taken as their triangles.
+    pub nonplanar_faces: usize,
+    /// Polygons that cross themselves, taken as a fan.
+    pub crossed_faces: usize,
+    /// Loose lines of length zero, set aside.
+    pub zero_length_lines: usize,
+}
+
+/// A scene that cannot become a mesh.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// No faces and no lines in any file.
+    #[error("the model is empty: expected at least one face or line")]
+    Empty,
+    /// Numbers are 32 bits wide.
+    #[error("the model has {0} {1}: expected at most 1431655765")]
+    TooLarge(usize, &'static str),
+}
+
+/// All objects of a scene.
+#[derive(Debug, Clone, Default)]
+pub struct Mesh {
+    vertices: Vec<DVec3>,
+    vertex_numbers: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
+    faces: Option<Vec<u32>>,
+    polygonal: bool,
+    edges: Edges,
+    loose_lines: Vec<[u32; 2]>,
+    objects: Vec<Object>,
+    colors: Vec<Option<Color>>,
+    report: MeshReport,
+}
+
+/// The largest number of vertices or triangles: three half-edges each have
+/// to be numbered with 32 bits.
+const MOST: usize = (u32::MAX / 3) as usize;
+
+impl Mesh {
+    /// Welds, triangulates and connects the objects of a scene.
+    ///
+    /// `tolerance` merges vertices of one object that are closer than this
+    /// (world units) before anything else. Expected O(n).
+    ///
+    /// # Errors
+    ///
+    /// If there is nothing to draw, or more than 32-bit numbers can name.
+    pub fn new(mut soups: Vec<Soup>, tolerance: Option<f64>) -> Result<Self, MeshError> {
+        let mut report = MeshReport::default();
+        let (positions, first_vertex) = take_positions(&mut soups, tolerance, &mut report)?;
+        let welded = weld(&positions, &first_vertex);
+        report.welded_vertices = positions.len() - welded.first_old.len();
+        let mut vertices = vec![DVec3::ZERO; welded.first_old.len()];
+        // Adding 0 turns -0 into 0, so that equal positions have equal bits.
+        crate::run::fill_indexed(&mut vertices, |i| {
+            positions[welded.first_old[i] as usize] + DVec3::ZERO
+        });
+        drop(positions);
+        let vertex_numbers = file_numbers(&soups, &first_vertex, &welded.first_old);
+        let mut triangles = triangles_of(
+            &soups,
+            &first_vertex,
+            &welded.new_of_old,
+            &vertices,
+            &mut report,
+        );
+        let mut edges = edges_of(&triangles.corners, vertices.len());
+        if !triangles.polygonal && drop_duplicates(&mut triangles, &edges, &mut report) {
+            edges = edges_of(&triangles.corners, vertices.len());
+        }
+        let mut mesh = Mesh {
+            vertices,
+            vertex_numbers,
+            triangles: triangles.corners,
+            faces: triangles.faces,
+            polygonal: triangles.polygonal,
+            edges,
+            report,
+            ..Mesh::default()
+        };
+        mesh.add_objects(soups, &first_vertex, &welded.new_of_old, &welded.first_old);
+        if mesh.triangles.is_empty() && mesh.loose_lines.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        Ok(mesh)
+    }
+
+    /// Fills in the objects, their loose lines and colours.
+    fn add_objects(
+        &mut self,
+        soups: Vec<Soup>,
+        first_vertex: &[u32],
+        new_of_old: &[u32],
+        first_old: &[u32],
+    ) {
+        let mut first_face = 0;
+        for (i, soup) in soups.into_iter().enumerate() {
+            let old_end = first_vertex.get(i + 1).copied().unwrap_or(u32::MAX);
+            let vertex_start = first_old.partition_point(|&old| old < first_vertex[i]) as u32;
+            let vertex_end = first_old.partition_point(|&old| old < old_end) as u32;
+            let faces = first_face..first_face + soup.faces.len() as u32;
+            first_face = faces.end;
+            let line_start = self.loose_lines.len() as u32;
+            for line in &soup.lines {
+                let [a, b] = line.map(|old| new_of_old[(first_vertex[i] + old) as usize]);
+                if a == b {
+                    self.report.zero_length_lines += 1;
+                } else {
+                    self.loose_lines.push([a, b]);
+                }
+            }
+            let triangles = self.triangles_of_faces(&faces);
+            if let Some(colors) = soup.colors {
+                self.colors.resize(faces.start as usize, None);
+                self.colors.extend(colors);
+            }
+            self.objects.push(Object {
+                name: soup.name,
+                vertices: vertex_start..vertex_end,
+                triangles,
+                faces,
+                loose_lines: line_start..self.loose_lines.len() as u32,
+            });
+        }
+    }
+
+    /// The triangles of a range of faces: triangles are ordered by face.
+    fn triangles_of_faces(&self, faces: &Range<u32>) -> Range<u32> {
+        match &self.faces {
+            None => faces.clone(),
+            Some(list) => {
+                let find = |face| list.partition_point(|&other| other < face) as u32;
+                find(faces.start)..find(faces.end)
+            }
+        }
+    }
+
+    /// Positions, world units. Equal positions of one object are one vertex.
+    pub fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
+    /// Triangles: three vertices each, in the file's winding.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Edges and their triangles.
+    pub fn edges(&self) -> &Edges {
+        &self.edges
+    }
+
+    /// Loose lines (OBJ `l`).
+    pub fn loose_lines(&self) -> &[[u32; 2]] {
+        &self.loose_lines
+    }
+
+    /// The objects in the order of the files.
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// What was welded and set aside.
+    pub fn report(&self) -> MeshReport {
+        self.report
+    }
+
+    /// The number of faces in the files, set aside or not.
+    pub fn face_count(&self) -> usize {
+        self.objects
+            .last()
+            .map_or(0, |object| object.faces.end as usize)
+    }
+
+    /// The face of a triangle, numbered through the scene.
+    #[inline(always)]
+    pub fn face_of(&self, triangle: u32) -> u32 {
+        self.faces
+            .as_ref()
+            .map_or(triangle, |faces| faces[triangle as usize])
+    }
+
+    /// The colour that the file gives a face.
+    pub fn color_of(&self, face: u32) -> Option<Color> {
+        self.colors.get(face as usize).copied().flatten()
+    }
+
+    /// Whether an edge is an inner edge of one polygon's triangulation.
+    #[inline(always)]
+    pub fn is_inner(&self, edge: u32) -> bool {
+        self.polygonal
+            && matches!(self.edges.triangles(edge), &[s, t] if self.face_of(s) == self.face_of(t))
+    }
+
+    /// The number of a vertex in its file, counted from 0.
+    pub fn vertex_number(&self, vertex: u32) -> u32 {
+        self.vertex_numbers[vertex as usize]
+    }
+
+    /// The object of a vertex.
+    pub fn object_of_vertex(&self, vertex: u32) -> u32 {
+        self.objects
+            .partition_point(|object| object.vertices.end <= vertex) as u32
+    }
+
+    /// The object of a triangle.
+    pub fn object_of_triangle(&self, triangle: u32) -> u32 {
+        self.objects
+            .partition_point(|object| object.triangles.end <= triangle) as u32
+    }
+
+    /// The corner of `triangle` that is neither `a` nor `b`.
+    #[inline(always)]
+    pub fn third(&self, triangle: u32, [a, b]: [u32; 2]) -> u32 {
+        let [x, y, z] = self.triangles[triangle as usize];
+        if x != a && x != b {
+            x
+        } else if y != a && y != b {
+            y
+        } else {
+            z
+        }
+    }
+
+    /// Whether `triangle` runs along the edge from `a` to `b` in its own
+    /// winding.
+    #[inline(always)]
+    pub fn runs_along(&self, triangle: u32, [a, b]: [u32; 2]) -> bool {
+        let [x, y, z] = self.triangles[triangle as usize];
+        (x == a && y == b) || (y == a && z == b) || (z == a && x == b)
+    }
+
+    /// The box of all vertices as (least, greatest) corner.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
+        map_chunks(self.vertices.len(), 1 << 16, |part| {
+            self.vertices[part]
+                .iter()
+                .fold(empty, |bounds, &p| join(bounds, (p, p)))
+        })
+        .into_iter()
+        .fold(empty, join)
+    }
+}
+
+/// Moves all positions into one array; returns it with the first vertex of
+/// each soup.
+fn take_positions(
+    soups: &mut [Soup],
+    tolerance: Option<f64>,
+    report: &mut MeshReport,
+) -> Result<(Vec<DVec3>, Vec<u32>), MeshError> {
+    let total: usize = soups.iter().map(|soup| soup.vertices.len()).sum();
+    let corners: usize = soups.iter().map(|soup| soup.faces.len()).sum();
+    if corners > MOST {
+        return Err(MeshError::TooLarge(corners, "faces"));
+    }
+    if total > u32::MAX as usize / 2 * 2 - 1 {
+        return Err(MeshError::TooLarge(total, "vertices"));
+    }
+    let mut first_vertex = Vec::with_capacity(soups.len());
+    let mut positions = Vec::new();
+    for soup in soups {
+        first_vertex.push(positions.len() as u32);
+        if positions.is_empty() {
+            positions = std::mem::take(&mut soup.vertices);
+        } else {
+            positions.append(&mut soup.vertices);
+        }
+    }
+    if let Some(tolerance) = tolerance.filter(|&tolerance| tolerance > 0.0) {
+        report.merged_vertices = merge_close(&mut positions, &first_vertex, tolerance);
+    }
+    Ok((positions, first_vertex))
+}
+
+/// The file's number of each new vertex.
+fn file_numbers(soups: &[Soup], first_vertex: &[u32], first_old: &[u32]) -> Vec<u32> {
+    map_indexed(first_old.len(), |new| {
+        let old = first_old[new];
+        let soup = first_vertex.partition_point(|&first| first <= old) - 1;
+        let index = old - first_vertex[soup];
+        soups[soup]
+            .vertex_numbers
+            .as_ref()
+            .map_or(index, |numbers| numbers[index as usize])
+    })
+}
+
+/// Drops triangles whose corners an earlier triangle has. Such twins share
+/// edges on which they have the same third corner.
+fn drop_duplicates(triangles: &mut Triangles, edges: &Edges, report: &mut MeshReport) -> bool {
+    let corners = &triangles.corners;
+    let third = |triangle: u32, [a, b]: [u32; 2]| {
+        corners[triangle as usize]
+            .iter()
+            .copied()
+            .find(|&x| x != a && x != b)
+            .unwrap_or(a)
+    };
+    let parts = map_chunks(edges.len(), 1 << 14, |part| {
+        let mut twins = Vec::new();
+        for edge in part {
+            let (ends, list) = (edges.ends(edge as u32), edges.triangles(edge as u32));
+            for (i, &triangle) in list.iter().enumerate().skip(1) {
+                let own = third(triangle, ends);
+                if list[..i].iter().any(|&earlier| third(earlier, ends) == own) {
+                    twins.push(triangle);
+                }
+            }
+        }
+        twins
+    });
+    let mut twins = parts.concat();
+    twins.sort_unstable();
+    twins.dedup();
+    if twins.is_empty() {
+        return false;
+    }
+    report.duplicate_faces += twins.len();
+    let all = 0..triangles.corners.len() as u32;
+    let kept: Vec<u32> = all.filter(|i| twins.binary_search(i).is_err()).collect();
+    let faces = triangles.faces.take();
+    let face = |&i: &u32| faces.as_ref().map_or(i, |faces| faces[i as usize]);
+    triangles.faces = Some(kept.iter().map(face).collect());
+    triangles.corners = kept
+        .iter()
+        .map(|&i| triangles.corners[i as usize])
+        .collect();
+    true
+}

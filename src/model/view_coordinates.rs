@@ -1,0 +1,170 @@
+//! Vertices in the view frame: rounded, for boxes and for output.
+//!
+//! Every coordinate comes with a bound of its error, so that boxes made of
+//! them can be rounded outward. The bound rests on the plainest analysis:
+//! a coordinate is a sum of three products after a subtraction, off by a
+//! few units in the last place of the largest term.
+
+use super::{Frame, Projection};
+use crate::run::{fill_indexed, map_chunks};
+use crate::spatial::{Bounds, Rounding, SegmentProbe};
+use glam::{DVec2, DVec3};
+
+/// Relative error of a view coordinate against the largest offset from the
+/// frame's origin: ten roundings, and the frame's own, with room to spare.
+const RELATIVE_ERROR: f64 = 64.0 * f64::EPSILON;
+
+/// View coordinates of all vertices of a scene.
+#[derive(Debug, Clone)]
+pub struct ViewCoordinates {
+    frame: Frame,
+    /// Along right, up and forward, before any division.
+    points: Vec<DVec3>,
+    /// Bound of the error of each of them.
+    error: f64,
+    rounding: Rounding,
+}
+
+impl ViewCoordinates {
+    /// Computes them. O(n).
+    pub fn new(frame: &Frame, vertices: &[DVec3]) -> Self {
+        let mut points = vec![DVec3::ZERO; vertices.len()];
+        fill_indexed(&mut points, |i| frame.coordinates(vertices[i]));
+        let farthest = map_chunks(vertices.len(), 1 << 16, |part| {
+            vertices[part]
+                .iter()
+                .map(|&p| (p - frame.origin).abs().max_element())
+                .fold(0.0, f64::max)
+        });
+        let farthest = farthest.into_iter().fold(0.0, f64::max);
+        let largest = frame.origin.abs().max_element();
+        // The subtraction of the origin errs relative to its result; the
+        // rest relative to the largest offset.
+        let error = RELATIVE_ERROR * farthest.max(f64::MIN_POSITIVE) + f64::MIN_POSITIVE;
+        let error = if largest.is_finite() {
+            error
+        } else {
+            f64::INFINITY
+        };
+        let mut coordinates = ViewCoordinates {
+            frame: *frame,
+            points,
+            error,
+            rounding: Rounding::for_ranges([0.0..0.0, 0.0..0.0, 0.0..0.0]),
+        };
+        coordinates.rounding = coordinates.range();
+        coordinates
+    }
+
+    /// A rounding around all vertices in front of the eye.
+    fn range(&self) -> Rounding {
+        let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
+        let (low, high) = map_chunks(self.points.len(), 1 << 16, |part| {
+            part.filter_map(|i| self.interval(i as u32))
+                .fold(empty, join)
+        })
+        .into_iter()
+        .fold(empty, join);
+        if low.x > high.x {
+            return Rounding::for_ranges([0.0..0.0, 0.0..0.0, 0.0..0.0]);
+        }
+        Rounding::for_ranges([low.x..high.x, low.y..high.y, low.z..high.z])
+    }
+
+    /// Coordinates along right, up and forward of a vertex.
+    pub fn point(&self, vertex: u32) -> DVec3 {
+        self.points[vertex as usize]
+    }
+
+    /// Image and depth of a point given along right, up and forward.
+    pub fn project(&self, point: DVec3) -> (DVec2, f64) {
+        let image = match self.frame.projection {
+            Projection::Orthographic => point.truncate(),
+            Projection::Perspective => point.truncate() / point.z,
+        };
+        (image, point.z)
+    }
+
+    /// Low and high coordinates (u, v, depth) of a vertex; nothing if it may
+    /// lie on or behind the plane of a perspective eye.
+    fn interval(&self, vertex: u32) -> Option<(DVec3, DVec3)> {
+        let point = self.points[vertex as usize];
+        match self.frame.projection {
+            Projection::Orthographic => {
+                let slack = DVec3::splat(self.error);
+                Some((point - slack, point + slack))
+            }
+            Projection::Perspective => {
+                if point.z <= self.error * 4096.0 {
+                    return None;
+                }
+                let (image, depth) = self.project(point);
+                // d(x / z) <= (dx + |x / z| dz) / (z - dz), and one rounding.
+                let scale = 1.001 * self.error / point.z;
+                let slack = (DVec2::ONE + image.abs()) * scale + image.abs() * f64::EPSILON;
+                let slack = slack.extend(self.error);
+                let middle = image.extend(depth);
+                Some((middle - slack, middle + slack))
+            }
+        }
+    }
+
+    /// Whether a vertex lies behind a perspective eye for certain.
+    fn is_behind(&self, vertex: u32) -> bool {
+        self.frame.projection == Projection::Perspective
+            && self.points[vertex as usize].z < -self.error
+    }
+
+    /// A box around the image and depths of the convex hull of vertices, as
+    /// far as it lies in front of the eye. Rounded outward.
+    #[inline]
+    pub fn bounds<const N: usize>(&self, vertices: [u32; N]) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for vertex in vertices {
+            let Some((low, high)) = self.interval(vertex) else {
+                return self.bounds_across_eye(&vertices);
+            };
+            let (low, high) = (low.to_array(), high.to_array());
+            let one = Bounds {
+                low: [0, 1, 2].map(|i| self.rounding.down(i, low[i], 0.0)),
+                high: [0, 1, 2].map(|i| self.rounding.up(i, high[i], 0.0)),
+            };
+            bounds = bounds.union(&one);
+        }
+        bounds
+    }
+
+    /// The box of something that reaches the plane of the eye: its image
+    /// may be anywhere, its depth is bounded from above.
+    fn bounds_across_eye(&self, vertices: &[u32]) -> Bounds {
+        if vertices.iter().all(|&vertex| self.is_behind(vertex)) {
+            return Bounds::EMPTY;
+        }
+        let deepest = vertices
+            .iter()
+            .map(|&v| self.points[v as usize].z)
+            .fold(0.0, f64::max);
+        let mut bounds = Bounds::ALL;
+        bounds.high[2] = self.rounding.up(2, deepest, self.error);
+        bounds
+    }
+
+    /// A probe for the segment between two points given along right, up and
+    /// forward, which are off by at most `slack` more than vertices are.
+    pub fn probe(&self, ends: [u32; 2]) -> SegmentProbe {
+        let bounds = self.bounds(ends);
+        let [start, end] = ends.map(|vertex| {
+            let (image, _) = self.project(self.points[vertex as usize]);
+            [
+                self.rounding.nearest(0, image.x),
+                self.rounding.nearest(1, image.y),
+            ]
+        });
+        if bounds.low[0] == f32::NEG_INFINITY {
+            // Crosses the plane of the eye: its ends have no images.
+            return SegmentProbe::new(bounds, [f32::NAN; 2], [f32::NAN; 2]);
+        }
+        SegmentProbe::new(bounds, start, end)
+    }
+}

@@ -1,0 +1,102 @@
+//! From a mesh and a camera to a question: everything that all line methods
+//! need and none should compute twice.
+
+use super::LineQuestion;
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Points, Policy};
+use crate::model::{
+    FeatureLine, FeatureOptions, Features, Intersections, LineClass, LineOrigin, Mesh, View,
+    ViewCoordinates, facing, triangle_hierarchy,
+};
+use crate::run::{Cancelled, Run};
+use crate::spatial::Hierarchy;
+
+/// A mesh as one eye sees it.
+#[derive(Debug, Clone)]
+pub struct PreparedView<'m> {
+    mesh: &'m Mesh,
+    view: View,
+    points: Points,
+    coordinates: ViewCoordinates,
+    facing: Vec<Sign>,
+    features: Features,
+    intersections: Intersections,
+    hierarchy: Hierarchy,
+}
+
+impl<'m> PreparedView<'m> {
+    /// Scales the coordinates, classifies the edges and, if intersection
+    /// lines are wanted, searches them. Expected O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled.
+    pub fn new<P: Policy>(
+        mesh: &'m Mesh,
+        view: &View,
+        options: &FeatureOptions,
+        run: &Run,
+    ) -> Result<Self, Cancelled> {
+        let triangles = mesh.triangles().len() as u64;
+        let (points, coordinates) = run.stage("coordinates", triangles, || {
+            (
+                Points::new(mesh.vertices(), view.eye, view.near),
+                ViewCoordinates::new(&view.frame, mesh.vertices()),
+            )
+        });
+        run.check()?;
+        let (facing, mut features) = run.stage("features", triangles, || {
+            let facing = facing::<P>(mesh, &points, run);
+            let features = Features::find::<P>(mesh, &points, &facing, options, run);
+            (facing, features)
+        });
+        run.check()?;
+        let hierarchy = run.stage("hierarchy", triangles, || {
+            triangle_hierarchy(mesh, &coordinates)
+        });
+        run.check()?;
+        let mut intersections = Intersections::default();
+        if options.wants(LineClass::Intersection) {
+            intersections = run.stage("intersections", triangles, || {
+                Intersections::find::<P>(mesh, &points, &hierarchy, run)
+            });
+            let all = 0..intersections.lines.len() as u32;
+            features.lines.extend(all.map(|index| FeatureLine {
+                origin: LineOrigin::Intersection(index),
+                class: LineClass::Intersection,
+            }));
+        }
+        run.check()?;
+        Ok(PreparedView {
+            mesh,
+            view: *view,
+            points,
+            coordinates,
+            facing,
+            features,
+            intersections,
+            hierarchy,
+        })
+    }
+
+    /// The question which parts of the lines are visible.
+    pub fn question(&self, hidden_wanted: bool) -> LineQuestion<'_> {
+        LineQuestion {
+            mesh: self.mesh,
+            points: &self.points,
+            frame: &self.view.frame,
+            coordinates: &self.coordinates,
+            facing: &self.facing,
+            lines: &self.features.lines,
+            effective: &self.features.effective,
+            intersections: &self.intersections.lines,
+            hierarchy: &self.hierarchy,
+            hidden_wanted,
+        }
+    }
+
+    /// The view.
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+}

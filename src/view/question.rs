@@ -1,0 +1,53 @@
+//! What a line method is asked.
+
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Carrier, Points};
+use crate::model::{
+    EffectiveEdge, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh, ViewCoordinates,
+};
+use crate::spatial::Hierarchy;
+
+/// Which parts of which lines are visible? Everything that a method needs,
+/// borrowed; nothing in it is rounded but the frame, which only boxes,
+/// grids and output may use.
+#[derive(Debug, Clone, Copy)]
+pub struct LineQuestion<'a> {
+    /// All objects.
+    pub mesh: &'a Mesh,
+    /// The mesh's vertices and the eye, for predicates.
+    pub points: &'a Points,
+    /// The view frame.
+    pub frame: &'a Frame,
+    /// The vertices in that frame, with error bounds.
+    pub coordinates: &'a ViewCoordinates,
+    /// Facing of each triangle of the mesh; zero is edge-on.
+    pub facing: &'a [Sign],
+    /// The lines to draw.
+    pub lines: &'a [FeatureLine],
+    /// The edges behind which the number of sheets changes.
+    pub effective: &'a [EffectiveEdge],
+    /// The intersection lines that `lines` refers to.
+    pub intersections: &'a [IntersectionLine],
+    /// View boxes of the triangles.
+    pub hierarchy: &'a Hierarchy,
+    /// Whether hidden pieces are wanted too. If not, a method may leave a
+    /// line as soon as it is known to be hidden.
+    pub hidden_wanted: bool,
+}
+
+impl LineQuestion<'_> {
+    /// The segment that carries `line`.
+    pub fn carrier(&self, line: &FeatureLine) -> Carrier {
+        match line.origin {
+            LineOrigin::Edge(edge) => {
+                let [a, b] = self.mesh.edges().ends(edge);
+                Carrier::edge(a, b)
+            }
+            LineOrigin::Loose(index) => {
+                let [a, b] = self.mesh.loose_lines()[index as usize];
+                Carrier::edge(a, b)
+            }
+            LineOrigin::Intersection(index) => self.intersections[index as usize].carrier,
+        }
+    }
+}
