@@ -86,6 +86,22 @@ impl ViewCoordinates {
         (image, point.z)
     }
 
+    /// A bound of the error of an image coordinate of a point on a line
+    /// between vertices, given along right, up and forward.
+    pub fn image_slack(&self, point: DVec3) -> f64 {
+        // A point on a line errs like its ends, and by the rounding of its
+        // parameter and of the interpolation.
+        let error = 4.0 * self.error;
+        match self.frame.projection {
+            Projection::Orthographic => error,
+            Projection::Perspective => {
+                let largest = point.truncate().abs().max_element() / point.z;
+                error * (1.0 + largest) / (point.z - error).max(f64::MIN_POSITIVE)
+                    + largest * f64::EPSILON
+            }
+        }
+    }
+
     /// Low and high coordinates (u, v, depth) of a vertex; nothing if it may
     /// lie on or behind the plane of a perspective eye.
     fn interval(&self, vertex: u32) -> Option<(DVec3, DVec3)> {

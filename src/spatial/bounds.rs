@@ -35,6 +35,15 @@ impl Bounds {
         }
     }
 
+    /// What lies in both.
+    #[must_use]
+    pub fn intersection(&self, other: &Self) -> Self {
+        Bounds {
+            low: [0, 1, 2].map(|i| self.low[i].max(other.low[i])),
+            high: [0, 1, 2].map(|i| self.high[i].min(other.high[i])),
+        }
+    }
+
     /// Whether the closed boxes share a point.
     #[inline(always)]
     pub fn overlaps(&self, other: &Self) -> bool {

@@ -257,20 +257,22 @@ impl Formula for Value {
     }
 }
 
-/// `[E, start, end, x]`: on which side of a carrier's image lies a vertex?
-pub(super) struct ImageSide(pub(super) Carrier, pub(super) u32);
+/// `[E, start, end, x]`: on which side of a carrier's image lies a point?
+pub(super) struct ImageSide(pub(super) Carrier, pub(super) Point);
 
 impl Formula for ImageSide {
     const PREDICATE: Predicate = Predicate::ImageSide;
 
     fn degree(&self) -> u32 {
-        3 + self.0.ends.map(weight_degree).iter().sum::<u32>()
+        3 + self.0.ends.map(weight_degree).iter().sum::<u32>() + weight_degree(self.1)
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         let [start, end] = self.0.ends;
-        at_point(points, start, &|p| {
-            at_point(points, end, &|q| side(points, p, q, self.1))
+        at_point(points, self.1, &|x| {
+            at_point(points, start, &|p| {
+                at_point(points, end, &|q| side(points, p, q, x))
+            })
         })
     }
 }

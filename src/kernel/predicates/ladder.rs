@@ -207,7 +207,15 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn image_side(&self, carrier: Carrier, x: u32) -> Sign {
         match carrier.as_edge() {
             Some([p, q]) => self.side(p, q, x),
-            None => self.decide(&ImageSide(carrier, x)),
+            None => self.decide(&ImageSide(carrier, Point::Vertex(x))),
+        }
+    }
+
+    /// On which side of a carrier's image does a point lie?
+    pub fn image_side_of_point(&self, carrier: Carrier, point: Point) -> Sign {
+        match point {
+            Point::Vertex(vertex) => self.image_side(carrier, vertex),
+            Point::Piercing(_) => self.decide(&ImageSide(carrier, point)),
         }
     }
 

@@ -1,0 +1,201 @@
+//! Where the number of sheets in front of a line changes.
+//!
+//! Crossing: an effective edge e = ab in front of the line s = pq, their
+//! images crossing. Candidates have a and b on different sides of s, and p
+//! and q strictly on different sides of e; an end of e on the image of s
+//! counts as lying on the other side than the one s is moved to, for all
+//! edges at that vertex alike. Where p or q is on the image of e the crossing
+//! is at an end of s and nothing changes inside it. The edge is in front if
+//! `[p, q, a, b]` has the sign opposite to `side(a, b, q)`; zero means that
+//! they meet in space, which is left to the piercings.
+//!
+//! ```text
+//!            b          left of e | right of e       gain of e =
+//!            |                    |                  triangles right of it
+//!   p -------+------> q     s passes behind e        minus triangles left
+//!            |
+//!            a = (bottom), e directed upwards
+//! ```
+//!
+//! Piercing: a triangle whose plane separates p and q strictly and which
+//! the line meets in a point of the closed triangle. In the inside the count
+//! changes by one. On the border the triangle's status just before and just
+//! after is compared: behind its plane, and inside the edges that are met.
+
+use super::Fault;
+use super::walker::{Sides, Walk, Walker};
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Cut, Measured, Policy};
+
+/// A change of the counts at a cut.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Event {
+    pub(super) cut: Cut,
+    /// The cut's values at the two ends of the carrier.
+    pub(super) values: [Measured; 2],
+    pub(super) change: Sides,
+}
+
+impl<P: Policy> Walker<'_, P> {
+    /// Collects the crossings with effective edges in front.
+    pub(super) fn find_crossings(&mut self, walk: &Walk) {
+        let probe = walk.probe;
+        let mut tested = 0;
+        let mut events = std::mem::take(&mut self.events);
+        self.effective.visit(
+            |node| node.may_hide(probe.bounds()) && probe.may_meet_image(node),
+            |index| {
+                tested += 1;
+                events.extend(self.crossing(walk, index));
+            },
+        );
+        self.crossings_tested += tested;
+        self.crossings += events.len() as u64;
+        self.events = events;
+    }
+
+    /// The event at an effective edge, if there is one.
+    #[inline]
+    fn crossing(&self, walk: &Walk, index: u32) -> Option<Event> {
+        let effective = self.question.effective[index as usize];
+        let edge @ [a, b] = self.question.mesh.edges().ends(effective.edge);
+        if walk
+            .vertices
+            .iter()
+            .flatten()
+            .any(|vertex| edge.contains(vertex))
+        {
+            return None;
+        }
+        let cut = Cut::Silhouette(edge);
+        let first = self.predicates.value(cut, walk.carrier.ends[0]);
+        if first.sign.is_zero() {
+            return None;
+        }
+        let last = self.predicates.value(cut, walk.carrier.ends[1]);
+        if !first.sign.is_opposite(last.sign) {
+            return None;
+        }
+        let sides = [a, b].map(|vertex| self.predicates.image_side(walk.carrier, vertex));
+        if sides[0] == sides[1] {
+            return None;
+        }
+        if self.fault == Some(Fault::LoseVertexHits) && sides.contains(&Sign::Zero) {
+            return None;
+        }
+        let skew = self.predicates.skew(walk.carrier, edge);
+        let in_front = skew.is_opposite(last.sign);
+        if skew.is_zero() || !(in_front || self.fault == Some(Fault::IgnoreDepth)) {
+            return None;
+        }
+        let gain = match self.fault {
+            Some(Fault::CountFoldsOnce) => effective.gain.signum(),
+            _ => effective.gain,
+        };
+        // Passing from the left of the edge to its right gains.
+        let gain = gain * first.sign.to_i32();
+        let met = |aside| {
+            let [a, b] = sides.map(|side| side.or(aside));
+            if a == b { 0 } else { gain }
+        };
+        let change = Sides {
+            left: met(Sign::Negative),
+            right: met(Sign::Positive),
+        };
+        Some(Event {
+            cut,
+            values: [first, last],
+            change,
+        })
+    }
+
+    /// Collects the triangles that the line pierces.
+    pub(super) fn find_piercings(&mut self, walk: &Walk) {
+        if self.fault == Some(Fault::ForgetPiercings) {
+            return;
+        }
+        let probe = walk.probe;
+        let before = self.events.len();
+        let mut events = std::mem::take(&mut self.events);
+        self.question.hierarchy.visit(
+            |node| node.overlaps(probe.bounds()) && probe.may_meet_image(node),
+            |triangle| events.extend(self.piercing(walk, triangle)),
+        );
+        self.piercings += (events.len() - before) as u64;
+        self.events = events;
+    }
+
+    /// The event where the line pierces a triangle, if it does.
+    #[inline]
+    fn piercing(&self, walk: &Walk, triangle: u32) -> Option<Event> {
+        let corners @ [a, b, c] = self.question.mesh.triangles()[triangle as usize];
+        // A line that ends at a corner does not cross the plane there.
+        if walk
+            .vertices
+            .iter()
+            .flatten()
+            .any(|vertex| corners.contains(vertex))
+        {
+            return None;
+        }
+        let facing = self.question.facing[triangle as usize];
+        if facing.is_zero() || self.is_own(walk, triangle) {
+            return None;
+        }
+        let cut = Cut::Face(corners);
+        let first = self.predicates.value(cut, walk.carrier.ends[0]);
+        if first.sign.is_zero() {
+            return None;
+        }
+        let last = self.predicates.value(cut, walk.carrier.ends[1]);
+        if !first.sign.is_opposite(last.sign) {
+            return None;
+        }
+        let edges = [[a, b], [b, c], [c, a]];
+        let passes = edges.map(|edge| self.predicates.skew(walk.carrier, edge));
+        if passes.contains(&Sign::Positive) && passes.contains(&Sign::Negative) {
+            return None;
+        }
+        let mut inside = [Sides::both(1); 2];
+        for (i, edge) in edges.into_iter().enumerate() {
+            if passes[i].is_zero() {
+                let third = corners[(i + 2) % 3];
+                inside = self.inside_met_edge(walk, edge, third, facing, inside);
+            }
+        }
+        let hides = [first.sign == facing, last.sign == facing].map(i32::from);
+        let change = Sides {
+            left: hides[1] * inside[1].left - hides[0] * inside[0].left,
+            right: hides[1] * inside[1].right - hides[0] * inside[0].right,
+        };
+        Some(Event {
+            cut,
+            values: [first, last],
+            change,
+        })
+    }
+
+    /// Narrows down where the line is inside the triangle's image just
+    /// before and just after it meets one of its edges in space.
+    fn inside_met_edge(
+        &self,
+        walk: &Walk,
+        edge: [u32; 2],
+        third: u32,
+        facing: Sign,
+        mut inside: [Sides; 2],
+    ) -> [Sides; 2] {
+        let signs = [0, 1].map(|end| self.sign_at(walk, end, Cut::Silhouette(edge)));
+        if signs == [Sign::Zero; 2] {
+            return inside.map(|sides| self.on_side_of(walk, third, sides));
+        }
+        for end in 0..2 {
+            // The functional vanishes where they meet, so its sign on one
+            // side of that place is the sign at the end on that side.
+            if signs[end] != facing {
+                inside[end] = Sides::default();
+            }
+        }
+        inside
+    }
+}

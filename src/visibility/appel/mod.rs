@@ -1,0 +1,132 @@
+//! Appel's quantitative invisibility, for any triangle soup.
+//!
+//! The invisibility of a point is the number of sheets in front of it.
+//! Along a line it changes only where the line passes behind an *effective*
+//! edge, one with different numbers of triangles to its left and to its
+//! right in the image, or where it pierces a triangle. So:
+//!
+//! 1. Count the sheets in front of one end of the line, looking along it
+//!    ([`count`]).
+//! 2. Find the effective edges in front whose images cross that of the
+//!    line, and the triangles that the line pierces ([`events`]).
+//! 3. Order these events exactly along the line and add them up ([`sweep`]).
+//!
+//! Counts are kept twice, for the line moved infinitesimally to its left
+//! and to its right in the image. That makes every vertex that is met an
+//! ordinary crossing or none, and settles lines exactly behind edges; the
+//! larger count is the invisibility. Sheets are counted, not front faces,
+//! so nothing is assumed about winding, closedness or manifoldness.
+//!
+//! Sources: A. Appel, "The notion of quantitative invisibility and the
+//! machine rendering of solids", 1967. R. Galimberti and U. Montanari, "An
+//! algorithm for hidden line elimination", 1969. The count afresh for every
+//! line, by exact predicates, replaces Appel's propagation across vertices.
+//!
+//! Cost: O(1) expected hierarchy queries per line, plus k log k for k
+//! events on a line.
+
+mod count;
+mod events;
+mod sweep;
+mod walker;
+
+use crate::kernel::predicates::Policy;
+use crate::run::{Cancelled, Run, map_chunks};
+use crate::spatial::Hierarchy;
+use crate::view::{ExactLines, LineQuestion};
+use walker::Walker;
+
+/// Deliberate mistakes, to prove that a check can fail. Never set outside
+/// of tests of the tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// Lines that pierce a face do not notice it.
+    ForgetPiercings,
+    /// Edges behind the line count like edges in front of it.
+    IgnoreDepth,
+    /// Lines that pass a vertex of an edge do not cross the edge.
+    LoseVertexHits,
+    /// Every effective edge hides one sheet, folds too.
+    CountFoldsOnce,
+    /// Every line begins in the open.
+    StartVisible,
+}
+
+impl Fault {
+    /// All faults.
+    pub const ALL: [Fault; 5] = [
+        Fault::ForgetPiercings,
+        Fault::IgnoreDepth,
+        Fault::LoseVertexHits,
+        Fault::CountFoldsOnce,
+        Fault::StartVisible,
+    ];
+
+    /// The name of the fault on a command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Fault::ForgetPiercings => "forget-piercings",
+            Fault::IgnoreDepth => "ignore-depth",
+            Fault::LoseVertexHits => "lose-vertex-hits",
+            Fault::CountFoldsOnce => "count-folds-once",
+            Fault::StartVisible => "start-visible",
+        }
+    }
+}
+
+/// How to run [`appel`].
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct AppelOptions {
+    /// A mistake to make.
+    pub fault: Option<Fault>,
+}
+
+/// Lines that one task walks.
+const PART: usize = 128;
+
+/// Finds the invisibility of every piece of every line.
+///
+/// # Errors
+///
+/// If the run is cancelled.
+pub fn appel<P: Policy>(
+    question: &LineQuestion<'_>,
+    options: &AppelOptions,
+    run: &Run<'_>,
+) -> Result<ExactLines, Cancelled> {
+    let count = question.lines.len();
+    run.stage("appel", count as u64, || {
+        let effective = effective_hierarchy(question);
+        let parts = map_chunks(count, PART, |part| {
+            run.check()?;
+            let mut walker = Walker::<P>::new(question, &effective, options);
+            let mut answer = ExactLines::default();
+            let lines = part.len() as u64;
+            for line in part {
+                walker.walk(&question.lines[line]);
+                answer.push_line(walker.pieces());
+            }
+            run.advance(lines);
+            Ok((answer, walker.counters()))
+        });
+        let mut answer = ExactLines::default();
+        let mut counters = crate::run::Counters::default();
+        for part in parts {
+            let (lines, counted) = part?;
+            answer.append(&lines);
+            counters.merge(&counted);
+        }
+        run.merge(&counters);
+        Ok(answer)
+    })
+}
+
+/// View boxes of the effective edges.
+fn effective_hierarchy(question: &LineQuestion<'_>) -> Hierarchy {
+    let boxes = crate::run::map_indexed(question.effective.len(), |i| {
+        question
+            .coordinates
+            .bounds(question.mesh.edges().ends(question.effective[i].edge))
+    });
+    Hierarchy::new(&boxes)
+}

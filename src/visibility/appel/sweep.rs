@@ -1,0 +1,94 @@
+//! Adding up: events in exact order along the line become pieces.
+
+use super::events::Event;
+use super::walker::{Sides, Walk, Walker};
+use crate::kernel::predicates::{Cut, Place, Policy};
+use crate::view::ExactPiece;
+use std::cmp::Ordering;
+
+impl<P: Policy> Walker<'_, P> {
+    /// Whether the line is hidden all along, whatever the order of events:
+    /// even all losses together would leave a sheet on one side.
+    pub(super) fn stays_hidden(&self, first: Sides) -> bool {
+        let least = self.events.iter().fold(first, |sum, event| Sides {
+            left: sum.left + event.change.left.min(0),
+            right: sum.right + event.change.right.min(0),
+        });
+        least.invisibility() > 0
+    }
+
+    /// Emits the pieces of a walk, up to the near plane if it leads there.
+    pub(super) fn sweep(&mut self, walk: &Walk, first: Sides, to_near: bool) {
+        let mut events = std::mem::take(&mut self.events);
+        let end = self.end_of_walk(walk, to_near, &mut events);
+        events.retain(|event| event.change != Sides::default());
+        let order = |a: &Event, b: &Event| {
+            self.predicates
+                .order(walk.carrier, (a.cut, &a.values), (b.cut, &b.values))
+        };
+        events.sort_by(order);
+        let mut sum = first;
+        let mut from = Place::Start;
+        for group in events.chunk_by(|a, b| order(a, b) == Ordering::Equal) {
+            let before = sum.invisibility();
+            for event in group {
+                sum.left += event.change.left;
+                sum.right += event.change.right;
+            }
+            if sum.invisibility() != before {
+                let to = Place::Cut(group[0].cut);
+                push(
+                    &mut self.pieces,
+                    self.question.hidden_wanted,
+                    from,
+                    to,
+                    before,
+                );
+                from = to;
+            }
+        }
+        push(
+            &mut self.pieces,
+            self.question.hidden_wanted,
+            from,
+            end,
+            sum.invisibility(),
+        );
+        events.clear();
+        self.events = events;
+    }
+
+    /// The place where the walk ends; drops the events beyond it.
+    fn end_of_walk(&self, walk: &Walk, to_near: bool, events: &mut Vec<Event>) -> Place {
+        if !to_near {
+            return Place::End;
+        }
+        let near = walk
+            .carrier
+            .ends
+            .map(|point| self.predicates.value(Cut::Near, point));
+        events.retain(|event| {
+            self.predicates
+                .order(walk.carrier, (event.cut, &event.values), (Cut::Near, &near))
+                == Ordering::Less
+        });
+        Place::Cut(Cut::Near)
+    }
+}
+
+/// Appends a piece if it is wanted.
+fn push(
+    pieces: &mut Vec<ExactPiece>,
+    hidden_wanted: bool,
+    from: Place,
+    to: Place,
+    invisibility: u32,
+) {
+    if hidden_wanted || invisibility == 0 {
+        pieces.push(ExactPiece {
+            from,
+            to,
+            invisibility,
+        });
+    }
+}

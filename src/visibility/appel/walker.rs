@@ -1,0 +1,251 @@
+//! One worker: walks line after line and reuses its memory.
+
+use super::events::Event;
+use super::{AppelOptions, Fault};
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
+use crate::model::{FeatureLine, LineOrigin};
+use crate::run::Counters;
+use crate::spatial::{Bounds, Hierarchy, SegmentProbe};
+use crate::view::{ExactPiece, LineQuestion};
+
+/// Counts on the two sides of a line: the number of sheets in front of it
+/// when it is moved infinitesimally to its left or right in the image.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Sides {
+    pub(super) left: i32,
+    pub(super) right: i32,
+}
+
+impl Sides {
+    /// The same on both sides.
+    pub(super) fn both(count: i32) -> Self {
+        Sides {
+            left: count,
+            right: count,
+        }
+    }
+
+    /// The invisibility: the larger count.
+    pub(super) fn invisibility(self) -> u32 {
+        // Counts below zero occur only under a measuring policy.
+        self.left.max(self.right).max(0).unsigned_abs()
+    }
+}
+
+/// A line as it is walked.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Walk {
+    pub(super) carrier: Carrier,
+    /// The vertices at the ends, where they are vertices.
+    pub(super) vertices: [Option<u32>; 2],
+    /// Triangles that contain an intersection line by construction.
+    pub(super) own: [u32; 2],
+    pub(super) probe: SegmentProbe,
+    /// A box around the image and depth of the start.
+    pub(super) start: Bounds,
+}
+
+/// No triangle has this number.
+const NONE: u32 = u32::MAX;
+
+/// Walks lines.
+pub(super) struct Walker<'q, P: Policy> {
+    pub(super) question: &'q LineQuestion<'q>,
+    pub(super) effective: &'q Hierarchy,
+    pub(super) predicates: Predicates<'q, P>,
+    pub(super) fault: Option<Fault>,
+    pub(super) events: Vec<Event>,
+    pub(super) pieces: Vec<ExactPiece>,
+    pub(super) crossings_tested: u64,
+    pub(super) crossings: u64,
+    pub(super) piercings: u64,
+    pub(super) counted: u64,
+    pub(super) left_early: u64,
+}
+
+impl<'q, P: Policy> Walker<'q, P> {
+    pub(super) fn new(
+        question: &'q LineQuestion<'q>,
+        effective: &'q Hierarchy,
+        options: &AppelOptions,
+    ) -> Self {
+        Walker {
+            question,
+            effective,
+            predicates: Predicates::new(question.points),
+            fault: options.fault,
+            events: Vec::new(),
+            pieces: Vec::new(),
+            crossings_tested: 0,
+            crossings: 0,
+            piercings: 0,
+            counted: 0,
+            left_early: 0,
+        }
+    }
+
+    /// The pieces of the line walked last.
+    pub(super) fn pieces(&self) -> impl Iterator<Item = ExactPiece> + '_ {
+        self.pieces.iter().copied()
+    }
+
+    /// What was counted so far.
+    pub(super) fn counters(&self) -> Counters {
+        let mut counters = self.predicates.counters();
+        counters.add("crossings-tested", self.crossings_tested);
+        counters.add("crossings", self.crossings);
+        counters.add("piercings", self.piercings);
+        counters.add("first-counts", self.counted);
+        counters.add("lines-left-early", self.left_early);
+        counters
+    }
+
+    /// Finds the pieces of one line.
+    pub(super) fn walk(&mut self, line: &FeatureLine) {
+        self.pieces.clear();
+        self.events.clear();
+        let Some(mut walk) = self.begin(line) else {
+            return;
+        };
+        let near = if self.question.points.has_near_plane() {
+            let sign = |point| self.predicates.value_sign(Cut::Near, point);
+            match walk.carrier.ends.map(sign) {
+                [Sign::Positive, Sign::Positive] => None,
+                [Sign::Positive, _] => Some(false),
+                [_, Sign::Positive] => Some(true),
+                _ => return,
+            }
+        } else {
+            None
+        };
+        if near == Some(true) {
+            // Counting starts at an end in front of the near plane.
+            walk = self.turned(walk);
+        }
+        let first = self.first_count(&walk);
+        self.find_crossings(&walk);
+        self.find_piercings(&walk);
+        if !self.question.hidden_wanted && self.stays_hidden(first) {
+            self.left_early += 1;
+            return;
+        }
+        self.sweep(&walk, first, near.is_some());
+        if near == Some(true) {
+            self.turn_pieces();
+        }
+    }
+
+    /// The geometry of a line, unless its image is a point.
+    fn begin(&self, line: &FeatureLine) -> Option<Walk> {
+        let question = self.question;
+        let carrier = question.carrier(line);
+        let vertices = carrier.ends.map(|end| match end {
+            Point::Vertex(vertex) => Some(vertex),
+            Point::Piercing(_) => None,
+        });
+        let (own, probe) = match line.origin {
+            LineOrigin::Intersection(index) => {
+                let own = question.intersections[index as usize].triangles;
+                let [s, t] = own.map(|i| {
+                    question
+                        .coordinates
+                        .bounds(question.mesh.triangles()[i as usize])
+                });
+                // The segment lies in both triangles; its ends are not
+                // known in floats, so only the box counts.
+                let nowhere = [f32::NAN; 2];
+                (own, SegmentProbe::new(s.intersection(&t), nowhere, nowhere))
+            }
+            LineOrigin::Edge(_) | LineOrigin::Loose(_) => {
+                let [Some(a), Some(b)] = vertices else {
+                    return None;
+                };
+                ([NONE; 2], question.coordinates.probe([a, b]))
+            }
+        };
+        let walk = Walk {
+            carrier,
+            vertices,
+            own,
+            start: self.start_box(vertices[0], &probe),
+            probe,
+        };
+        (self.has_image(&walk)).then_some(walk)
+    }
+
+    fn start_box(&self, vertex: Option<u32>, probe: &SegmentProbe) -> Bounds {
+        vertex.map_or(*probe.bounds(), |vertex| {
+            self.question.coordinates.bounds([vertex])
+        })
+    }
+
+    /// Whether the image of the line is more than a point.
+    fn has_image(&self, walk: &Walk) -> bool {
+        if let [Some(a), Some(b)] = walk.vertices {
+            let [a, b] = [a, b].map(|vertex| self.question.coordinates.bounds([vertex]));
+            let apart = (0..2).any(|i| a.high[i] < b.low[i] || b.high[i] < a.low[i]);
+            if apart {
+                return true;
+            }
+        }
+        self.predicates.axis_across(walk.carrier).is_some()
+    }
+
+    /// The same walk from the other end.
+    fn turned(&self, walk: Walk) -> Walk {
+        let [first, last] = walk.vertices;
+        Walk {
+            carrier: walk.carrier.reversed(),
+            vertices: [last, first],
+            start: self.start_box(last, &walk.probe),
+            ..walk
+        }
+    }
+
+    /// Turns the pieces of a turned walk back.
+    fn turn_pieces(&mut self) {
+        let turn = |place| match place {
+            Place::Start => Place::End,
+            Place::End => Place::Start,
+            Place::Cut(cut) => Place::Cut(cut),
+        };
+        self.pieces.reverse();
+        for piece in &mut self.pieces {
+            *piece = ExactPiece {
+                from: turn(piece.to),
+                to: turn(piece.from),
+                ..*piece
+            };
+        }
+    }
+
+    /// Whether a triangle has the walked line in its plane by construction.
+    #[inline(always)]
+    pub(super) fn is_own(&self, walk: &Walk, triangle: u32) -> bool {
+        if triangle == walk.own[0] || triangle == walk.own[1] {
+            return true;
+        }
+        let corners = self.question.mesh.triangles()[triangle as usize];
+        walk.vertices
+            .iter()
+            .all(|end| end.is_some_and(|vertex| corners.contains(&vertex)))
+    }
+
+    /// The sign of a cut's plane at one end of the walk; zero by identity
+    /// where that end is one of the vertices that span the plane.
+    #[inline(always)]
+    pub(super) fn sign_at(&self, walk: &Walk, end: usize, cut: Cut) -> Sign {
+        if let Some(vertex) = walk.vertices[end] {
+            let spanned = match cut {
+                Cut::Face(corners) => corners.contains(&vertex),
+                Cut::Silhouette(ends) => ends.contains(&vertex),
+                Cut::Vertex(..) | Cut::Near => false,
+            };
+            if spanned {
+                return Sign::Zero;
+            }
+        }
+        self.predicates.value_sign(cut, walk.carrier.ends[end])
+    }
+}

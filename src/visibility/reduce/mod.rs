@@ -1,0 +1,115 @@
+//! From exact pieces to the lines of a drawing: coincident lines become
+//! one, then everything is rounded, once.
+//!
+//! Where images of several lines lie on one another, the drawing contains
+//! that stretch once: visible wins over hidden, fewer sheets over more, then
+//! the class of higher precedence, then the line with the least coordinates.
+//! Overlaps are cut exactly. Pieces that follow one another on one image
+//! line without a gap get the same run, so that a drawing can join them
+//! into one stroke without asking whether rounded points are collinear.
+
+mod coincident;
+mod rounded;
+
+use crate::kernel::predicates::{Policy, Predicates};
+use crate::model::LineOrigin;
+use crate::run::{Cancelled, Counters, Run, map_chunks};
+use crate::view::{ExactLines, LinePiece, LineQuestion, LineSource, VisibleLines};
+use coincident::resolve_coincident;
+use rounded::{RoundedPiece, round_line};
+
+/// Lines that one task rounds.
+const PART: usize = 512;
+
+/// Reduces coincident lines to one and rounds all coordinates to the view
+/// frame. Expected O(n log n) for n pieces.
+///
+/// # Errors
+///
+/// If the run is cancelled.
+pub fn reduce<P: Policy>(
+    question: &LineQuestion<'_>,
+    answer: &ExactLines,
+    run: &Run<'_>,
+) -> Result<VisibleLines, Cancelled> {
+    let pieces = run.stage("rounding", answer.piece_count() as u64, || {
+        let parts = map_chunks(answer.len(), PART, |part| {
+            let predicates = Predicates::<P>::new(question.points);
+            let mut pieces = Vec::new();
+            for line in part {
+                round_line(
+                    question,
+                    &predicates,
+                    line as u32,
+                    answer.line(line),
+                    &mut pieces,
+                );
+            }
+            (pieces, predicates.counters())
+        });
+        gather(parts, run)
+    });
+    run.check()?;
+    let reduced = run.stage("coincident lines", pieces.len() as u64, || {
+        resolve_coincident::<P>(question, &pieces, run)
+    });
+    run.check()?;
+    let objects = question
+        .mesh
+        .objects()
+        .iter()
+        .map(|object| object.name.clone())
+        .collect();
+    let pieces = crate::run::map_indexed(reduced.len(), |i| line_piece(question, &reduced[i]));
+    run.count("pieces", pieces.len() as u64);
+    Ok(VisibleLines {
+        frame: *question.frame,
+        objects,
+        pieces,
+        counters: run.counters(),
+    })
+}
+
+/// Joins the results of parallel parts.
+fn gather<T: Clone>(parts: Vec<(Vec<T>, Counters)>, run: &Run<'_>) -> Vec<T> {
+    let mut all = Vec::with_capacity(parts.iter().map(|(list, _)| list.len()).sum());
+    for (list, counters) in parts {
+        all.extend(list);
+        run.merge(&counters);
+    }
+    all
+}
+
+/// The public form of a piece.
+fn line_piece(question: &LineQuestion<'_>, piece: &RoundedPiece) -> LinePiece {
+    let mesh = question.mesh;
+    let line = &question.lines[piece.line as usize];
+    let edge = |[a, b]: [u32; 2]| {
+        let source = LineSource::Edge([a, b].map(|vertex| mesh.vertex_number(vertex)));
+        (mesh.object_of_vertex(a), source)
+    };
+    let (object, source) = match line.origin {
+        LineOrigin::Edge(index) => edge(mesh.edges().ends(index)),
+        LineOrigin::Loose(index) => edge(mesh.loose_lines()[index as usize]),
+        LineOrigin::Intersection(index) => {
+            let triangles = question.intersections[index as usize].triangles;
+            let faces = triangles.map(|triangle| {
+                let object = mesh.object_of_triangle(triangle);
+                mesh.face_of(triangle) - mesh.objects()[object as usize].faces.start
+            });
+            (
+                mesh.object_of_triangle(triangles[0]),
+                LineSource::Faces(faces),
+            )
+        }
+    };
+    LinePiece {
+        class: line.class,
+        invisibility: piece.invisibility,
+        points: piece.image,
+        depth: piece.depth,
+        object,
+        source,
+        run: piece.run,
+    }
+}

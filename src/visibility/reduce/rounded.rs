@@ -1,0 +1,96 @@
+//! Rounding of exact places to the view frame.
+
+use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
+use crate::view::{ExactPiece, LineQuestion};
+use glam::{DVec2, DVec3};
+
+/// A piece with its exact and its rounded ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RoundedPiece {
+    /// Index of the line.
+    pub(super) line: u32,
+    pub(super) invisibility: u32,
+    /// The exact ends, on the line's own carrier.
+    pub(super) places: [Place; 2],
+    /// The ends in the image.
+    pub(super) image: [DVec2; 2],
+    /// Depths of the ends.
+    pub(super) depth: [f64; 2],
+    /// A bound of the error of `image`.
+    pub(super) slack: f64,
+    /// See `LinePiece::run`.
+    pub(super) run: u32,
+}
+
+/// Appends the pieces of a line.
+pub(super) fn round_line<P: Policy>(
+    question: &LineQuestion<'_>,
+    predicates: &Predicates<'_, P>,
+    line: u32,
+    exact: &[ExactPiece],
+    pieces: &mut Vec<RoundedPiece>,
+) {
+    if exact.is_empty() {
+        return;
+    }
+    let carrier = question.carrier(&question.lines[line as usize]);
+    let ends = carrier
+        .ends
+        .map(|point| round_point(question, predicates, point));
+    let place = |place| match place {
+        Place::Start => ends[0],
+        Place::End => ends[1],
+        Place::Cut(cut) => round_cut(predicates, carrier, cut, ends),
+    };
+    for piece in exact {
+        let points = [place(piece.from), place(piece.to)];
+        let (slack, projected) = (
+            points.map(|point| question.coordinates.image_slack(point)),
+            points.map(|point| question.coordinates.project(point)),
+        );
+        pieces.push(RoundedPiece {
+            line,
+            invisibility: piece.invisibility,
+            places: [piece.from, piece.to],
+            image: projected.map(|(image, _)| image),
+            depth: projected.map(|(_, depth)| depth),
+            slack: slack[0].max(slack[1]),
+            run: 0,
+        });
+    }
+}
+
+/// A point along right, up and forward.
+fn round_point<P: Policy>(
+    question: &LineQuestion<'_>,
+    predicates: &Predicates<'_, P>,
+    point: Point,
+) -> DVec3 {
+    match point {
+        Point::Vertex(vertex) => question.coordinates.point(vertex),
+        Point::Piercing(piercing) => {
+            let carrier = Carrier::edge(piercing.edge[0], piercing.edge[1]);
+            let ends = piercing
+                .edge
+                .map(|vertex| question.coordinates.point(vertex));
+            round_cut(predicates, carrier, Cut::Face(piercing.face), ends)
+        }
+    }
+}
+
+/// The place of a cut on a carrier with these rounded ends.
+fn round_cut<P: Policy>(
+    predicates: &Predicates<'_, P>,
+    carrier: Carrier,
+    cut: Cut,
+    ends: [DVec3; 2],
+) -> DVec3 {
+    let values = carrier.ends.map(|point| predicates.value(cut, point));
+    let parameter = predicates.parameter(carrier, cut, &values);
+    // From the nearer end, so that a cut next to an end keeps its digits.
+    if parameter <= 0.5 {
+        ends[0] + (ends[1] - ends[0]) * parameter
+    } else {
+        ends[1] + (ends[0] - ends[1]) * (1.0 - parameter)
+    }
+}
