@@ -24,14 +24,8 @@ pub enum Format {
 
 impl Format {
     /// Every format.
-    pub const ALL: [Format; 6] = [
-        Format::Obj,
-        Format::Stl,
-        Format::Ply,
-        Format::Off,
-        Format::PolygonScene,
-        Format::Gltf,
-    ];
+    pub const ALL: [Format; 6] =
+        [Format::Obj, Format::Stl, Format::Ply, Format::Off, Format::PolygonScene, Format::Gltf];
 
     /// What the format is called: its usual extension.
     pub fn name(self) -> &'static str {
@@ -100,10 +94,17 @@ fn from_first_words(bytes: &[u8]) -> Option<Format> {
 fn from_keys(json: &[u8]) -> Option<Format> {
     keys(json).find_map(|key| match key {
         b"vertices" | b"faces" => Some(Format::PolygonScene),
-        b"asset" | b"scene" | b"scenes" | b"nodes" | b"meshes" | b"accessors" | b"buffers"
-        | b"bufferViews" | b"materials" | b"extensionsUsed" | b"extensionsRequired" => {
-            Some(Format::Gltf)
-        }
+        b"asset"
+        | b"scene"
+        | b"scenes"
+        | b"nodes"
+        | b"meshes"
+        | b"accessors"
+        | b"buffers"
+        | b"bufferViews"
+        | b"materials"
+        | b"extensionsUsed"
+        | b"extensionsRequired" => Some(Format::Gltf),
         _ => None,
     })
 }
