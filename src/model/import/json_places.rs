@@ -58,9 +58,19 @@ fn enter_item(scan: &mut Scan<'_>, wanted: usize) -> Option<()> {
     scan.json.get(scan.at).is_some_and(|&byte| byte != b']').then_some(())
 }
 
-/// What serde_json says, without the position it appends.
-pub(super) fn without_position(message: &str) -> &str {
-    message.rfind(" at line ").map_or(message, |end| &message[..end])
+/// What serde_json says, in our words and without the position it appends.
+/// `what` is what the whole text should have been.
+pub(super) fn message_of(error: &impl ToString, what: &str) -> String {
+    let text = error.to_string();
+    let message = text.rfind(" at line ").map_or(&*text, |end| &text[..end]);
+    let message = message
+        .replace("expected u64", "expected a natural number")
+        .replace("expected f64", "expected a number")
+        .replace("expected struct Root", "expected a glTF document");
+    if message.starts_with("expected") {
+        return format!("this is no JSON, {message}");
+    }
+    if message.contains("expected") { message } else { format!("{message}, expected {what}") }
 }
 
 #[cfg(test)]

@@ -25,7 +25,11 @@ pub(super) fn read(bytes: &[u8]) -> Read<Found> {
     let later = if outcome.is_err() { reader.count_later_vertices() } else { 0 };
     let count = reader.vertices.len() as u64 + later;
     if let Some((line, number)) = reader.forward.first_beyond(count) {
-        let message = format!("vertex {} does not exist, expected 1 to {count}", number + 1);
+        let number = number + 1;
+        let message = match count {
+            0 => format!("vertex {number} does not exist, expected a file with vertices"),
+            _ => format!("vertex {number} does not exist, expected 1 to {count}"),
+        };
         return Err(Fault::line(line, message));
     }
     outcome?;
@@ -166,9 +170,9 @@ impl<'a> Reader<'a> {
             return Err(self.text.fault(message));
         };
         if number == 0 || number < -count {
-            let message = format!(
-                "vertex {number} does not exist, expected 1 and up, or -1 down to -{count}"
-            );
+            let backwards =
+                if count == 0 { String::new() } else { format!(", or -1 down to -{count}") };
+            let message = format!("vertex {number} does not exist, expected 1 and up{backwards}");
             return Err(self.text.fault(message));
         }
         let index = if 0 < number { number - 1 } else { count + number };

@@ -25,7 +25,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 use super::super::Color;
 use super::Found;
 use super::error::{Fault, Read};
-use super::json_places::{Step, line_of, place_of, without_position};
+use super::json_places::{Step, line_of, message_of, place_of};
 use super::parts::{ForwardReferences, Part, split};
 
 /// Reads a polygon scene.
@@ -40,10 +40,8 @@ pub(super) fn read(bytes: &[u8]) -> Read<Found> {
         return Err(Fault::line(line, format!("face {face} {message}")));
     }
     if let Err(error) = outcome {
-        let text = error.to_string();
-        let message = without_position(&text);
-        let hint = if message.contains("expected") { "" } else { ", expected a polygon scene" };
-        return Err(Fault::line(error.line().max(1) as u64, format!("{message}{hint}")));
+        let message = message_of(&error, "a polygon scene");
+        return Err(Fault::line(error.line().max(1) as u64, message));
     }
     Ok(Found { objects: split(scene.vertices, scene.parts), warnings: scene.warnings })
 }

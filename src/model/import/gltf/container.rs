@@ -7,7 +7,7 @@ use std::path::Path;
 use ::gltf::json::Root;
 
 use super::super::error::{Fault, Read, quote};
-use super::super::json_places::{Step, line_of, place_of, without_position};
+use super::super::json_places::{Step, line_of, message_of, place_of};
 
 /// A glTF document, with all that is needed to follow its references.
 pub(super) struct Document<'a> {
@@ -32,10 +32,7 @@ impl<'a> Document<'a> {
             (bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), None, None)
         };
         let root = Root::from_slice(json).map_err(|error| {
-            let text = error.to_string();
-            let message = without_position(&text);
-            let hint = if message.contains("expected") { "" } else { ", expected glTF 2.0" };
-            let message = format!("{message}{hint}");
+            let message = message_of(&error, "glTF 2.0");
             match json_start {
                 None => Fault::line(error.line().max(1) as u64, message),
                 Some(start) => {
