@@ -19,7 +19,8 @@ fn assert_sound(soup: &Soup) {
     if let Some(numbers) = &soup.vertex_numbers {
         assert_eq!(numbers.len(), count);
     }
-    let corners: usize = (0..soup.faces.len()).flat_map(|face| soup.faces.rings(face)).map(<[u32]>::len).sum();
+    let corners: usize =
+        (0..soup.faces.len()).flat_map(|face| soup.faces.rings(face)).map(<[u32]>::len).sum();
     assert_eq!(corners, soup.faces.corners().len());
 }
 

@@ -22,7 +22,9 @@ fn points(soup: &Soup) -> Vec<[f64; 3]> {
 }
 
 fn faces(soup: &Soup) -> Vec<Vec<Vec<u32>>> {
-    (0..soup.faces.len()).map(|face| soup.faces.rings(face).map(<[u32]>::to_vec).collect()).collect()
+    (0..soup.faces.len())
+        .map(|face| soup.faces.rings(face).map(<[u32]>::to_vec).collect())
+        .collect()
 }
 
 const SQUARE: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
@@ -253,7 +255,10 @@ mod off {
                     0 1 0\n4 0 1 2 3 255 128 0\n3 0 1 2 0.0 0.5 1.0 1.0\n3 0 1 2 7\n2 0 2\n";
         let soup = only(import("a", text.as_bytes()));
         assert_eq!(points(&soup), SQUARE);
-        assert_eq!(faces(&soup), [vec![vec![0, 1, 2, 3]], vec![vec![0, 1, 2]], vec![vec![0, 1, 2]]]);
+        assert_eq!(
+            faces(&soup),
+            [vec![vec![0, 1, 2, 3]], vec![vec![0, 1, 2]], vec![vec![0, 1, 2]]]
+        );
         let colors = vec![Some(Color([255, 128, 0])), Some(Color([0, 128, 255])), None];
         assert_eq!(soup.colors, Some(colors));
         assert_eq!(soup.lines, [[0, 2]]);
@@ -404,8 +409,11 @@ mod gltf {
             nodes += &format!(r#"{{"children":[{node}]}},"#);
         }
         nodes += r#"{"mesh":0}"#;
-        let soup = only(import("a", &glb(&scene(&nodes, r#"{"attributes":{"POSITION":0}}"#)
-            .replace("\"count\":4}", "\"count\":3}"))));
+        let soup = only(import(
+            "a",
+            &glb(&scene(&nodes, r#"{"attributes":{"POSITION":0}}"#)
+                .replace("\"count\":4}", "\"count\":3}")),
+        ));
         assert_eq!(points(&soup), SQUARE[..3]);
     }
 

@@ -157,7 +157,10 @@ impl<'a> Text<'a> {
         };
         match integer(word).and_then(|number| u64::try_from(number).ok()) {
             Some(number) => Ok(number),
-            None => Err(self.fault(format!("{} is no natural number below 1e18, expected {what}", quote(word)))),
+            None => Err(self.fault(format!(
+                "{} is no natural number below 1e18, expected {what}",
+                quote(word)
+            ))),
         }
     }
 

@@ -56,7 +56,9 @@ impl<'a> Document<'a> {
         let Some(uri) = &self.root.buffers[number].uri else {
             return match self.binary {
                 Some(bytes) if number == 0 => Ok(Cow::Borrowed(bytes)),
-                _ => Err(fault("a buffer without content, expected a uri or a binary chunk".into())),
+                _ => {
+                    Err(fault("a buffer without content, expected a uri or a binary chunk".into()))
+                }
             };
         };
         if let Some(data) = uri.strip_prefix("data:") {

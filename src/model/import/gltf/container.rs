@@ -26,7 +26,7 @@ impl<'a> Document<'a> {
     /// Parses the document; its references are not yet checked.
     pub(super) fn open(bytes: &'a [u8], folder: Option<&'a Path>) -> Read<Self> {
         let (json, json_start, binary) = if bytes.starts_with(b"glTF") {
-            let (start, json, binary) = chunks(bytes)?;
+            let Chunks { start, json, binary } = chunks(bytes)?;
             (json, Some(start), binary)
         } else {
             (bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes), None, None)
@@ -63,8 +63,15 @@ impl<'a> Document<'a> {
     }
 }
 
-/// The start of the JSON chunk, the JSON, and the binary chunk if any.
-fn chunks(bytes: &[u8]) -> Read<(usize, &[u8], Option<&[u8]>)> {
+/// What a GLB file consists of.
+struct Chunks<'a> {
+    /// Where the JSON stands.
+    start: usize,
+    json: &'a [u8],
+    binary: Option<&'a [u8]>,
+}
+
+fn chunks(bytes: &[u8]) -> Read<Chunks<'_>> {
     let version = number(bytes, 4)?;
     if version != 2 {
         return Err(Fault::byte(4, format!("GLB version {version}, expected 2")));
@@ -81,10 +88,10 @@ fn chunks(bytes: &[u8]) -> Read<(usize, &[u8], Option<&[u8]>)> {
     let (start, json) = chunk(bytes, 12, b"JSON")?;
     let next = start + json.len().next_multiple_of(4);
     if bytes.len() <= next {
-        return Ok((start, json, None));
+        return Ok(Chunks { start, json, binary: None });
     }
     let (_, binary) = chunk(bytes, next, b"BIN\0")?;
-    Ok((start, json, Some(binary)))
+    Ok(Chunks { start, json, binary: Some(binary) })
 }
 
 /// The chunk whose header stands at `at`.

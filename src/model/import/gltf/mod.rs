@@ -58,7 +58,8 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<Found> {
             })?;
             found.objects.push(object);
         }
-        let children = node.children.iter().flatten().map(|child| child.value()).collect();
+        let children: Vec<usize> =
+            node.children.iter().flatten().map(|child| child.value()).collect();
         check_nodes(&document, &children, &[path[0], path[1], Step::Key("children")])?;
         push_reversed(&mut stack, children, world);
     }
@@ -91,7 +92,7 @@ fn roots(document: &Document<'_>) -> Read<Vec<usize>> {
     let root = &document.root;
     let number = root.scene.map_or(0, |scene| scene.value());
     if let Some(scene) = root.scenes.get(number) {
-        let nodes = scene.nodes.iter().map(|node| node.value()).collect();
+        let nodes: Vec<usize> = scene.nodes.iter().map(|node| node.value()).collect();
         let path = [Step::Key("scenes"), Step::Item(number), Step::Key("nodes")];
         check_nodes(document, &nodes, &path)?;
         return Ok(nodes);
@@ -114,7 +115,7 @@ fn roots(document: &Document<'_>) -> Read<Vec<usize>> {
     Ok(roots)
 }
 
-fn check_nodes(document: &Document<'_>, nodes: &Vec<usize>, list: &[Step<'_>]) -> Read<()> {
+fn check_nodes(document: &Document<'_>, nodes: &[usize], list: &[Step<'_>]) -> Read<()> {
     let count = document.root.nodes.len();
     for (item, &node) in nodes.iter().enumerate() {
         if count <= node {
