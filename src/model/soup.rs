@@ -115,6 +115,18 @@ impl Faces {
         self.faces.is_empty().then_some(&*self.corners)
     }
 
+    /// The corners of all rings of all faces, one after the other.
+    pub fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    /// Replaces every vertex number `i` by `number(i)`.
+    pub fn renumber(&mut self, number: impl Fn(u32) -> u32) {
+        for corner in &mut self.corners {
+            *corner = number(*corner);
+        }
+    }
+
     /// The rings of face `face`, outer ring first.
     pub fn rings(&self, face: usize) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         let plain = self.faces.is_empty();

@@ -1,1 +1,174 @@
-//! To come.
+//! Models from files: the only room that reads them.
+//!
+//! Every reader turns bytes into [`Soup`]s and nothing more: coordinates as
+//! the file says them (correctly rounded to f64, f32 widened), polygons as
+//! polygons, nothing welded, nothing repaired, nothing turned. A file is
+//! either read whole or refused with one error, the first problem in the
+//! order of the file. Files are not trusted: a count is believed only as far
+//! as there are bytes to back it, nesting never becomes recursion, and every
+//! number and reference is checked here, so that later rooms need not.
+//!
+//! | format | reader | also takes |
+//! | --- | --- | --- |
+//! | OBJ | own: polygons and line numbers matter to us | polylines |
+//! | STL | own: binary in parallel, text by grammar | several solids |
+//! | PLY | own (`ply`); the crate is its judge in the tests | edges, face colours |
+//! | OFF | own | face colours |
+//! | JSON polygon scene | serde_json (`json`) | holes, colours, objects |
+//! | glTF 2.0, GLB | gltf for the document (`gltf`), own accessors | lines |
+
+mod error;
+mod format;
+#[cfg(feature = "gltf")]
+mod gltf;
+#[cfg(any(feature = "json", feature = "gltf"))]
+mod json_places;
+mod json_scan;
+mod obj;
+mod off;
+mod parts;
+#[cfg(feature = "ply")]
+mod ply;
+#[cfg(feature = "json")]
+mod polygon_scene;
+mod stl;
+mod stl_text;
+mod text;
+
+use std::path::Path;
+
+pub use error::ImportError;
+pub use format::Format;
+
+use super::{Placement, Soup, Unit, UpAxis};
+use error::{Fault, Read};
+
+/// What a file held.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Imported {
+    /// The format it was read as.
+    pub format: Format,
+    /// Its objects, in file order.
+    pub objects: Vec<Soup>,
+    /// What the format prescribes: metres and y up for glTF, otherwise
+    /// millimetres and z up. The coordinates are not yet converted.
+    pub placement: Placement,
+    /// What was passed over, for the user to know. No file name in front.
+    pub warnings: Vec<String>,
+}
+
+/// Reads a file. The format is the one given, else what the content says,
+/// else what the extension says. glTF may refer to files beside it.
+///
+/// # Errors
+///
+/// If the file cannot be read, its format is unknown or left out of this
+/// build, or the content is not a sound model of that format.
+pub fn read_file(path: &Path, format: Option<Format>) -> Result<Imported, ImportError> {
+    let name = path.display().to_string();
+    let bytes = match std::fs::read(path) {
+        Ok(bytes) => bytes,
+        Err(source) => return Err(ImportError::Io { file: name, source }),
+    };
+    read(path, &bytes, format, Some(path.parent().unwrap_or(Path::new(""))))
+        .map_err(|fault| fault.named(&name))
+}
+
+/// Reads a file that is already in memory; `name` is for messages and, where
+/// nothing else tells the format, for its extension. Files that a glTF
+/// document refers to are refused. Time and memory O(`bytes`), glTF nodes that
+/// share a mesh excepted.
+///
+/// # Errors
+///
+/// If the format is unknown or left out of this build, or the content is not
+/// a sound model of that format.
+pub fn read_bytes(
+    name: &str,
+    bytes: &[u8],
+    format: Option<Format>,
+) -> Result<Imported, ImportError> {
+    read(Path::new(name), bytes, format, None).map_err(|fault| fault.named(name))
+}
+
+/// What a reader finds.
+#[derive(Debug, Default)]
+struct Found {
+    objects: Vec<Soup>,
+    warnings: Vec<String>,
+}
+
+fn read(
+    name: &Path,
+    bytes: &[u8],
+    format: Option<Format>,
+    folder: Option<&Path>,
+) -> Read<Imported> {
+    if bytes.trim_ascii().is_empty() {
+        return Err(Fault::line(1, "the file is empty, expected a model"));
+    }
+    let told = format.or_else(|| Format::from_content(bytes));
+    let Some(format) = told.or_else(|| Format::from_extension(name)) else {
+        return Err(Fault::file(
+            "the format is unknown, expected OBJ, STL, PLY, OFF, JSON, glTF or GLB",
+        ));
+    };
+    check_size(bytes, format)?;
+    let Found { objects, warnings } = match format {
+        Format::Obj => obj::read(bytes),
+        Format::Stl => stl::read(bytes),
+        Format::Off => off::read(bytes),
+        Format::Ply => read_ply(bytes),
+        Format::PolygonScene => read_polygon_scene(bytes),
+        Format::Gltf => read_gltf(bytes, folder),
+    }?;
+    Ok(Imported { format, objects, placement: placement(format), warnings })
+}
+
+/// Vertex and corner numbers are 32 bits wide. One of either takes at least
+/// one byte of any format, and 50 bytes of binary STL make three.
+fn check_size(bytes: &[u8], format: Format) -> Read<()> {
+    let most = if format == Format::Stl { u64::from(u32::MAX) / 3 * 50 } else { u32::MAX.into() };
+    if most < bytes.len() as u64 {
+        let message = format!("{} bytes are too many, expected {most} at most", bytes.len());
+        return Err(Fault::file(message));
+    }
+    Ok(())
+}
+
+fn placement(format: Format) -> Placement {
+    match format {
+        Format::Gltf => Placement { unit: Unit::Metre, up: UpAxis::Y },
+        _ => Placement::default(),
+    }
+}
+
+#[cfg(feature = "ply")]
+use ply::read as read_ply;
+
+#[cfg(not(feature = "ply"))]
+fn read_ply(_: &[u8]) -> Read<Found> {
+    Err(left_out(Format::Ply))
+}
+
+#[cfg(feature = "json")]
+use polygon_scene::read as read_polygon_scene;
+
+#[cfg(not(feature = "json"))]
+fn read_polygon_scene(_: &[u8]) -> Read<Found> {
+    Err(left_out(Format::PolygonScene))
+}
+
+#[cfg(feature = "gltf")]
+use gltf::read as read_gltf;
+
+#[cfg(not(feature = "gltf"))]
+fn read_gltf(_: &[u8], _: Option<&Path>) -> Read<Found> {
+    Err(left_out(Format::Gltf))
+}
+
+#[cfg(not(all(feature = "ply", feature = "json", feature = "gltf")))]
+fn left_out(format: Format) -> Fault {
+    let name = format.name();
+    Fault::file(format!("this build cannot read {name} files, expected one with feature {name}"))
+}

@@ -1,0 +1,70 @@
+//! Malformed files and the whole text of the one error each of them gives.
+//!
+//! `tests/malformed/FORMAT.txt` has a line `NAME<TAB>ERROR` for every file of
+//! the folder `tests/malformed/FORMAT`.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use umriss::model::import::{Format, read_bytes};
+
+fn check(name: &str) {
+    let format = Format::from_name(name).expect("a format");
+    let folder = Path::new("tests/malformed");
+    let table = std::fs::read_to_string(folder.join(name).with_extension("txt")).expect("table");
+    let expected: BTreeMap<_, _> =
+        table.lines().map(|line| line.split_once('\t').expect("a tab")).collect();
+    let mut found = BTreeMap::new();
+    for entry in std::fs::read_dir(folder.join(name)).expect("folder") {
+        let path = entry.expect("entry").path();
+        let file = path.file_name().and_then(|file| file.to_str()).expect("name").to_owned();
+        let bytes = std::fs::read(&path).expect("file");
+        let error = match read_bytes(&file, &bytes, Some(format)) {
+            Ok(_) => "read without an error".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        found.insert(file, error);
+    }
+    assert!(20 <= found.len(), "only {} files", found.len());
+    let mut wrong = String::new();
+    for (file, error) in &found {
+        if expected.get(&**file) != Some(&&**error) {
+            wrong += &format!("{file}\t{error}\n");
+        }
+    }
+    assert!(wrong.is_empty(), "these errors are not in the table:\n{wrong}");
+    assert_eq!(expected.len(), found.len(), "the table names files that are not there");
+}
+
+#[test]
+fn malformed_obj_gives_one_error_with_its_line() {
+    check("obj");
+}
+
+#[test]
+fn malformed_stl_gives_one_error_with_its_line_or_byte() {
+    check("stl");
+}
+
+#[test]
+fn malformed_off_gives_one_error_with_its_line() {
+    check("off");
+}
+
+#[cfg(feature = "ply")]
+#[test]
+fn malformed_ply_gives_one_error_with_its_line_or_byte() {
+    check("ply");
+}
+
+#[cfg(feature = "json")]
+#[test]
+fn malformed_polygon_scene_gives_one_error_with_its_line() {
+    check("json");
+}
+
+#[cfg(feature = "gltf")]
+#[test]
+fn malformed_gltf_gives_one_error_with_its_line_or_byte() {
+    check("gltf");
+}
