@@ -137,7 +137,11 @@ impl Path {
             length += pair[0].distance(pair[1]);
             lengths.push(length);
         }
-        Path { points, lengths, closed }
+        Path {
+            points,
+            lengths,
+            closed,
+        }
     }
 
     fn length(&self) -> f64 {
@@ -148,7 +152,13 @@ impl Path {
     /// begins at a corner, its beginning as well.
     fn corners(&self) -> Vec<f64> {
         let mut corners = Vec::new();
-        if self.closed && is_corner(self.points[self.points.len() - 2], self.points[0], self.points[1]) {
+        if self.closed
+            && is_corner(
+                self.points[self.points.len() - 2],
+                self.points[0],
+                self.points[1],
+            )
+        {
             corners.push(0.0);
         }
         for (index, three) in self.points.windows(3).enumerate() {
@@ -165,7 +175,10 @@ impl Path {
             ..self.lengths.partition_point(|length| *length < to);
         let inner = self.points.get(inner).unwrap_or_default();
         strokes.push(
-            [self.at(from)].into_iter().chain(inner.iter().copied()).chain([self.at(to)]),
+            [self.at(from)]
+                .into_iter()
+                .chain(inner.iter().copied())
+                .chain([self.at(to)]),
         );
     }
 

@@ -52,6 +52,14 @@ pub enum DrawingError {
         /// Height of the page, mm.
         page_height: f64,
     },
+    /// Tight paper would be longer than a kilometre.
+    #[error("at this scale the page measures {width} x {height} mm; expected less than 1000000")]
+    Endless {
+        /// Width of the page, mm.
+        width: f64,
+        /// Height of the page, mm.
+        height: f64,
+    },
     /// A ratio of lengths was asked of a perspective view.
     #[error(
         "a perspective view has no ratio of lengths; expected the scale fit, or a factor: \

@@ -1,6 +1,7 @@
 //! From the view frame to the page: one scale, one shift, y turned over.
 
 use super::layering::LayerPlan;
+use super::paper::LONGEST;
 use super::{DrawingError, DrawingOptions, Paper, Scale};
 use crate::view::{Projection, VisibleLines};
 use glam::DVec2;
@@ -32,7 +33,11 @@ impl Placement {
         let (low, high) = bounds(lines, plans)?;
         let extent = high - low;
         let margin = options.margin.millimetres();
-        let paper = if options.landscape { options.paper.landscape() } else { options.paper };
+        let paper = if options.landscape {
+            options.paper.landscape()
+        } else {
+            options.paper
+        };
         let natural = match lines.frame.projection {
             Projection::Orthographic => options.unit.millimetres(),
             Projection::Perspective => 1.0,
@@ -63,6 +68,12 @@ impl Placement {
             Paper::Tight => (drawn + 2.0 * margin).max(DVec2::splat(SHORTEST)),
             Paper::Sheet { width, height } => DVec2::new(width, height),
         };
+        if LONGEST < size.max_element() {
+            return Err(DrawingError::Endless {
+                width: size.x,
+                height: size.y,
+            });
+        }
         if size.x * SLACK < drawn.x || size.y * SLACK < drawn.y {
             return Err(DrawingError::TooLarge {
                 width: drawn.x,
@@ -71,7 +82,11 @@ impl Placement {
                 page_height: size.y,
             });
         }
-        Ok(Placement { size, scale, centre: 0.5 * low + 0.5 * high })
+        Ok(Placement {
+            size,
+            scale,
+            centre: 0.5 * low + 0.5 * high,
+        })
     }
 
     /// The place of an image point on the page, mm, never a negative zero.
@@ -97,7 +112,11 @@ fn bounds(lines: &VisibleLines, plans: &[LayerPlan]) -> Result<(DVec2, DVec2), D
     if plans.is_empty() {
         return Ok((DVec2::ZERO, DVec2::ZERO));
     }
-    if (high - low).is_finite() { Ok((low, high)) } else { Err(DrawingError::NotFinite) }
+    if (high - low).is_finite() {
+        Ok((low, high))
+    } else {
+        Err(DrawingError::NotFinite)
+    }
 }
 
 /// What the margins leave of a sheet; nothing is fixed on tight paper.
@@ -109,7 +128,11 @@ fn room(paper: Paper, margin: f64) -> Result<Option<DVec2>, DrawingError> {
     if 0.0 < room.min_element() {
         Ok(Some(room))
     } else {
-        Err(DrawingError::Margin { margin, width, height })
+        Err(DrawingError::Margin {
+            margin,
+            width,
+            height,
+        })
     }
 }
 
