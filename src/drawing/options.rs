@@ -121,7 +121,7 @@ mod tests {
         let refused = "dotted".parse::<Hidden>();
         assert_eq!(
             refused,
-            Err(super::refuse("dotted", "none, dashed or solid"))
+            Err(refuse("dotted", "none, dashed or solid"))
         );
     }
 }

@@ -68,6 +68,9 @@ pub enum ExportError {
         /// Index of the line, counted from 0.
         line: usize,
     },
+    /// A frame that JSON has no numbers for.
+    #[error("JSON: the frame of the drawing has a coordinate that is not finite")]
+    NotFiniteFrame,
     /// JSON that is no drawing.
     #[error("line {line}, column {column}: {message}")]
     Json {

@@ -37,7 +37,7 @@ pub fn to_json(lines: &VisibleLines) -> Result<Vec<u8>, ExportError> {
     text.extend_from_slice(b"{\"format\":\"");
     text.extend_from_slice(FORMAT.as_bytes());
     text.extend_from_slice(b"\",\n\"frame\":");
-    push(&mut text, &FrameText::from(&lines.frame))?;
+    push(&mut text, &frame_text(&lines.frame)?)?;
     text.extend_from_slice(b",\n\"objects\":");
     push(&mut text, &lines.objects)?;
     text.extend_from_slice(b",\n\"lines\":[");
@@ -134,21 +134,25 @@ fn is_zero(shear: &[f64; 2]) -> bool {
     *shear == [0.0; 2]
 }
 
-impl From<&Frame> for FrameText<'_> {
-    fn from(frame: &Frame) -> Self {
-        let kind = match frame.projection {
-            Projection::Orthographic => ORTHOGRAPHIC,
-            Projection::Perspective => PERSPECTIVE,
-        };
-        FrameText {
-            kind: kind.into(),
-            origin: unsigned_zeros(frame.origin.to_array()),
-            right: unsigned_zeros(frame.right.to_array()),
-            up: unsigned_zeros(frame.up.to_array()),
-            forward: unsigned_zeros(frame.forward.to_array()),
-            shear: unsigned_zeros(frame.shear.to_array()),
-        }
+fn frame_text(frame: &Frame) -> Result<FrameText<'static>, ExportError> {
+    let kind = match frame.projection {
+        Projection::Orthographic => ORTHOGRAPHIC,
+        Projection::Perspective => PERSPECTIVE,
+    };
+    let axes = [frame.origin, frame.right, frame.up, frame.forward];
+    if !(axes.iter().all(|axis| axis.is_finite()) && frame.shear.is_finite()) {
+        return Err(ExportError::NotFiniteFrame);
     }
+    let [origin, right, up, forward] = axes.map(|axis| unsigned_zeros(axis.to_array()));
+    let shear = unsigned_zeros(frame.shear.to_array());
+    Ok(FrameText {
+        kind: kind.into(),
+        origin,
+        right,
+        up,
+        forward,
+        shear,
+    })
 }
 
 impl<'a> LineText<'a> {

@@ -31,16 +31,9 @@ pub fn map_chunks<T: Send>(
 /// Overwrites each `target[i]` with `work(i)`.
 pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync + Send) {
     #[cfg(feature = "parallel")]
-    target
-        .par_iter_mut()
-        .enumerate()
-        .with_min_len(1024)
-        .for_each(|(i, slot)| *slot = work(i));
+    target.par_iter_mut().enumerate().with_min_len(1024).for_each(|(i, slot)| *slot = work(i));
     #[cfg(not(feature = "parallel"))]
-    target
-        .iter_mut()
-        .enumerate()
-        .for_each(|(i, slot)| *slot = work(i));
+    target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
 }
 
 /// Stable sort.

@@ -6,7 +6,7 @@ use umriss::run::Counters;
 use umriss::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
 
 /// The drawing of a cube of 20 mm seen from above in an oblique view.
-pub fn cube() -> VisibleLines {
+pub(crate) fn cube() -> VisibleLines {
     let front = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)];
     let back = front.map(|(u, v)| (u + 8.0, v + 5.5));
     let mut pieces = Vec::new();

@@ -80,7 +80,7 @@ fn what_is_not_finite_is_refused() {
     ));
     lines = cube();
     lines.frame.origin.x = f64::INFINITY;
-    assert!(to_json(&lines).is_err());
+    assert!(matches!(to_json(&lines), Err(ExportError::NotFiniteFrame)));
 }
 
 fn number() -> impl Strategy<Value = f64> {

@@ -253,7 +253,7 @@ fn pieces_of_one_run_become_one_segment_even_across_counts() {
         hidden: Hidden::Solid,
         ..DrawingOptions::default()
     };
-    let count = |view| {
+    let count = |view: &VisibleLines| {
         Drawing::new(view, &options).unwrap().layers[0]
             .strokes
             .point_count()
