@@ -1,1 +1,42 @@
-//! To come.
+//! From visible lines to strokes on a page in millimetres.
+//!
+//! A method answers with pieces of lines in the view frame: u to the right, v
+//! upwards, world units or tangents. A pen wants long strokes on a sheet of
+//! paper. Between the two lie five steps, one file each:
+//!
+//! 1. `layering`: every piece goes into a layer, by visibility, class or
+//!    object; pieces that the style leaves out go nowhere.
+//! 2. `placement`: the box of what is drawn decides the scale, and its centre
+//!    comes to the centre of the page; y turns downwards.
+//! 3. `merging`: pieces of one exact straight line that follow one another
+//!    become one segment.
+//! 4. `chaining`, with `joints`: segments that meet become polylines, as long
+//!    as the drawing allows.
+//! 5. `dashing`: hidden polylines become dashes, which are real strokes,
+//!    because plotters and their programs draw a dash *pattern* solid.
+//!
+//! Nothing is decided here: which parts of a line are seen is settled, and
+//! floating point only places them. Coordinates are rounded to decimals or
+//! plotter units later, once, by the exporter.
+
+mod chaining;
+mod dashing;
+mod error;
+mod joints;
+mod layering;
+mod length;
+mod merging;
+mod options;
+mod page;
+mod paper;
+mod placement;
+mod scale;
+mod strokes;
+
+pub use error::DrawingError;
+pub use length::Length;
+pub use options::{DrawingOptions, Hidden, LayerBy};
+pub use page::{Drawing, Layer, LineStyle};
+pub use paper::Paper;
+pub use scale::Scale;
+pub use strokes::{Strokes, is_closed};

@@ -4,25 +4,28 @@
 //! depend on the number of threads. Times are kept apart from them, because
 //! counters are part of a JSON drawing and times must not be.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// Named sums, sorted by name. Adding is commutative.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Counters {
-    sums: BTreeMap<&'static str, u64>,
+    sums: BTreeMap<Cow<'static, str>, u64>,
 }
 
 impl Counters {
-    /// Adds `amount` to the counter `name`; a counter starts at zero.
-    pub fn add(&mut self, name: &'static str, amount: u64) {
-        *self.sums.entry(name).or_insert(0) += amount;
+    /// Adds `amount` to the counter `name`; a counter starts at zero. Names
+    /// are written in the code, or read from a drawing.
+    pub fn add(&mut self, name: impl Into<Cow<'static, str>>, amount: u64) {
+        let sum = self.sums.entry(name.into()).or_insert(0);
+        *sum = sum.saturating_add(amount);
     }
 
     /// Adds every counter of `other`.
     pub fn merge(&mut self, other: &Self) {
         for (name, amount) in &other.sums {
-            self.add(name, *amount);
+            self.add(name.clone(), *amount);
         }
     }
 
@@ -32,8 +35,8 @@ impl Counters {
     }
 
     /// All counters in the order of their names.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static str, u64)> + '_ {
-        self.sums.iter().map(|(name, amount)| (*name, *amount))
+    pub fn iter(&self) -> impl Iterator<Item = (&str, u64)> + '_ {
+        self.sums.iter().map(|(name, amount)| (&**name, *amount))
     }
 
     /// Whether nothing was counted.

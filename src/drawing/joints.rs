@@ -1,0 +1,107 @@
+//! Which line goes on as which where three ends or more meet.
+//!
+//! A pen should run straight through a crossing, as a draughtsman's would. So
+//! the two ends that continue one another best are paired first, then the
+//! next two, until at most one is left. "Best" is the least cosine between
+//! the two ways of leaving the joint; -1 is perfectly straight. Square roots
+//! and products are the same on every machine, and ties go to the ends that
+//! come first around the joint, so the pairing depends on geometry alone.
+//!
+//! Trying all pairs takes d² steps for d ends. Where a great many lines meet
+//! (the tip of a finely divided cone), each is paired with the one half way
+//! around instead, which is as straight as an even fan allows.
+
+use super::chaining::point;
+use glam::DVec2;
+
+/// The largest number of ends of which all pairs are tried.
+const ALL_PAIRS: usize = 24;
+
+/// Pairs the ends of one joint after another; the arrays serve them all.
+#[derive(Default)]
+pub(super) struct Joints {
+    spokes: Vec<Spoke>,
+    pairs: Vec<(f64, u32, u32)>,
+}
+
+/// A segment seen from the joint.
+#[derive(Clone, Copy)]
+struct Spoke {
+    end: u32,
+    /// Unit vector away from the joint.
+    away: DVec2,
+    /// The other end of the segment.
+    far: DVec2,
+}
+
+impl Joints {
+    /// Pairs `ends`, which all lie in one point, and notes it in `partners`.
+    pub(super) fn pair(&mut self, segments: &[[DVec2; 2]], ends: &[u32], partners: &mut [u32]) {
+        self.spokes.clear();
+        self.spokes
+            .extend(ends.iter().map(|end| Spoke::new(segments, *end)));
+        self.spokes.sort_unstable_by(Spoke::compare);
+        if ALL_PAIRS < ends.len() {
+            let half = ends.len() / 2;
+            for (one, other) in self.spokes[..half].iter().zip(&self.spokes[half..]) {
+                join(partners, one.end, other.end);
+            }
+            return;
+        }
+        self.pairs.clear();
+        for (i, one) in self.spokes.iter().enumerate() {
+            for (j, other) in self.spokes.iter().enumerate().skip(i + 1) {
+                self.pairs
+                    .push((one.away.dot(other.away), i as u32, j as u32));
+            }
+        }
+        self.pairs.sort_unstable_by(|a, b| {
+            a.0.total_cmp(&b.0)
+                .then_with(|| (a.1, a.2).cmp(&(b.1, b.2)))
+        });
+        let mut free = [true; ALL_PAIRS];
+        for (_, i, j) in &self.pairs {
+            let (i, j) = (*i as usize, *j as usize);
+            if free[i] && free[j] {
+                (free[i], free[j]) = (false, false);
+                join(partners, self.spokes[i].end, self.spokes[j].end);
+            }
+        }
+    }
+}
+
+fn join(partners: &mut [u32], one: u32, other: u32) {
+    partners[one as usize] = other;
+    partners[other as usize] = one;
+}
+
+impl Spoke {
+    fn new(segments: &[[DVec2; 2]], end: u32) -> Self {
+        let far = point(segments, end ^ 1);
+        Spoke {
+            end,
+            away: (far - point(segments, end)).normalize_or_zero(),
+            far,
+        }
+    }
+
+    /// Around the joint, then outwards; the last resort keeps equal segments
+    /// in their order.
+    fn compare(&self, other: &Self) -> std::cmp::Ordering {
+        self.turn()
+            .total_cmp(&other.turn())
+            .then_with(|| self.far.x.total_cmp(&other.far.x))
+            .then_with(|| self.far.y.total_cmp(&other.far.y))
+            .then_with(|| self.end.cmp(&other.end))
+    }
+
+    /// Grows with the angle from -2 to 2, without trigonometry.
+    fn turn(&self) -> f64 {
+        let share = self.away.x / (self.away.x.abs() + self.away.y.abs());
+        if self.away.y < 0.0 {
+            share - 1.0
+        } else {
+            1.0 - share
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! What may be wished of a drawing.
+
+use super::{DrawingError, Length, Paper, Scale};
+use crate::model::Unit;
+use std::str::FromStr;
+
+/// How hidden lines are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hidden {
+    /// Not at all.
+    #[default]
+    None,
+    /// As dashes.
+    Dashed,
+    /// As thin lines.
+    Solid,
+}
+
+/// Reads `none`, `dashed`, `solid`.
+impl FromStr for Hidden {
+    type Err = DrawingError;
+
+    fn from_str(text: &str) -> Result<Self, DrawingError> {
+        match text {
+            "none" => Ok(Hidden::None),
+            "dashed" => Ok(Hidden::Dashed),
+            "solid" => Ok(Hidden::Solid),
+            _ => Err(refuse(text, "none, dashed or solid")),
+        }
+    }
+}
+
+/// What decides the layer of a line. Hidden lines always have layers of
+/// their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LayerBy {
+    /// Visible or hidden.
+    #[default]
+    Visibility,
+    /// The class of the line.
+    Class,
+    /// The name of the object.
+    Object,
+}
+
+/// Reads `visibility`, `class`, `object`.
+impl FromStr for LayerBy {
+    type Err = DrawingError;
+
+    fn from_str(text: &str) -> Result<Self, DrawingError> {
+        match text {
+            "visibility" => Ok(LayerBy::Visibility),
+            "class" => Ok(LayerBy::Class),
+            "object" => Ok(LayerBy::Object),
+            _ => Err(refuse(text, "visibility, class or object")),
+        }
+    }
+}
+
+fn refuse(word: &str, expected: &'static str) -> DrawingError {
+    DrawingError::Choice {
+        word: word.to_owned(),
+        expected,
+    }
+}
+
+/// The wishes for a page. The default is A4 upright, margins of 10 mm, as
+/// large as fits, visible lines only, in the ISO 128 line group 0.5.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawingOptions {
+    /// What the drawing is put on.
+    pub paper: Paper,
+    /// Whether the longer side of the paper lies.
+    pub landscape: bool,
+    /// The border kept free when the drawing is fitted, or added around it
+    /// on tight paper.
+    pub margin: Length,
+    /// How large the drawing becomes.
+    pub scale: Scale,
+    /// The unit of the view frame's lengths.
+    pub unit: Unit,
+    /// What decides the layer of a line.
+    pub layer_by: LayerBy,
+    /// How hidden lines are drawn.
+    pub hidden: Hidden,
+    /// Width of visible lines, mm: 0.5, the wide line of ISO 128 for sheets
+    /// up to A2.
+    pub visible_width: f64,
+    /// Width of hidden lines, mm: 0.25, the narrow line of the same group.
+    /// Dashes are measured in it.
+    pub hidden_width: f64,
+}
+
+impl Default for DrawingOptions {
+    fn default() -> Self {
+        DrawingOptions {
+            paper: Paper::A4,
+            landscape: false,
+            margin: DEFAULT_MARGIN,
+            scale: Scale::Fit,
+            unit: Unit::Millimetre,
+            layer_by: LayerBy::Visibility,
+            hidden: Hidden::None,
+            visible_width: 0.5,
+            hidden_width: 0.25,
+        }
+    }
+}
+
+/// The margin unless another is asked for: 10 mm.
+const DEFAULT_MARGIN: Length = Length::from_millimetres(10.0);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn choices_are_read_by_their_names() {
+        assert_eq!("dashed".parse(), Ok(Hidden::Dashed));
+        assert_eq!("object".parse(), Ok(LayerBy::Object));
+        let refused = "dotted".parse::<Hidden>();
+        assert_eq!(
+            refused,
+            Err(refuse("dotted", "none, dashed or solid"))
+        );
+    }
+}

@@ -1,0 +1,109 @@
+//! What can go wrong between a drawing and a file.
+
+use std::path::PathBuf;
+
+/// A drawing cannot be written, or a written one cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// A format that nobody here has heard of.
+    #[error("`{name}` is no output format; expected one of {supported}")]
+    UnknownFormat {
+        /// The name or extension given.
+        name: String,
+        /// The formats there are.
+        supported: String,
+    },
+    /// A format that is known, but not written by this build.
+    #[error("the output format `{name}` is not supported yet; expected one of {supported}")]
+    UnsupportedFormat {
+        /// The name or extension given.
+        name: String,
+        /// The formats there are.
+        supported: String,
+    },
+    /// A file name that does not tell the format.
+    #[error("{path}: no extension to tell the output format by; expected one of {supported}")]
+    NoExtension {
+        /// The file.
+        path: PathBuf,
+        /// The formats there are.
+        supported: String,
+    },
+    /// A file cannot be written.
+    #[error("{path}: {source}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// More decimals than a coordinate is exact to.
+    #[error("{0} decimals of a millimetre cannot be written; expected 0 to 9")]
+    Precision(u8),
+    /// A page beyond the 16-bit numbers of plotters.
+    #[error(
+        "HPGL: the page of {width} x {height} mm has {units} plotter units of 0.025 mm along a \
+         side; expected at most 32767, that is 819 mm"
+    )]
+    PlotterRange {
+        /// Width of the page, mm.
+        width: f64,
+        /// Height of the page, mm.
+        height: f64,
+        /// Plotter units along the longer side.
+        units: f64,
+    },
+    /// A stroke that leaves the page.
+    #[error("HPGL: a stroke reaches the point {x}, {y} mm, which is not on the page")]
+    OutsidePage {
+        /// Distance from the left border of the page, mm.
+        x: f64,
+        /// Distance from the upper border of the page, mm.
+        y: f64,
+    },
+    /// A coordinate that JSON has no number for.
+    #[error("JSON: line {line} of the drawing has a coordinate that is not finite")]
+    NotFinite {
+        /// Index of the line, counted from 0.
+        line: usize,
+    },
+    /// A frame that JSON has no numbers for.
+    #[error("JSON: the frame of the drawing has a coordinate that is not finite")]
+    NotFiniteFrame,
+    /// JSON that is no drawing.
+    #[error("line {line}, column {column}: {message}")]
+    Json {
+        /// Line of the text, counted from 1.
+        line: usize,
+        /// Column of the text, counted from 1.
+        column: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// A JSON drawing that contradicts itself.
+    #[error("line {index} of the drawing: {message}")]
+    Line {
+        /// Index into `lines`, counted from 0.
+        index: usize,
+        /// What is wrong, what was expected.
+        message: &'static str,
+    },
+    /// A JSON drawing of another format.
+    #[error("the format is `{0}`; expected `umriss-drawing/1`")]
+    DrawingFormat(String),
+    /// A JSON drawing with a frame of no known kind.
+    #[error("the frame's kind is `{0}`; expected `orthographic` or `perspective`")]
+    FrameKind(String),
+    /// A picture of no pixels, or of more than can be held.
+    #[error("PNG: a picture of {width} x {height} pixels cannot be made; expected 1 to 32767 each")]
+    PictureSize {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+    },
+    /// The SVG cannot be rendered, or the picture not be encoded.
+    #[error("PNG: {0}")]
+    Picture(String),
+}

@@ -1,0 +1,136 @@
+//! Reads JSON drawings back, so that a computed drawing can be put on another
+//! page in another style.
+//!
+//! Keys that are not known are passed over. What a drawing by another hand
+//! may lack is made up for: without `run` in every line, every line is a
+//! straight line of its own; without `objects`, the names count in the order
+//! in which lines have them.
+
+use super::ExportError;
+use super::json::{FORMAT, FrameText, LineText, ORTHOGRAPHIC, PERSPECTIVE};
+use crate::run::Counters;
+use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use glam::{DVec2, DVec3};
+use rustc_hash::FxHashMap;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Reads a JSON drawing.
+///
+/// Objects with the same name become one: lines know their object by name.
+///
+/// # Errors
+///
+/// Names the place in the text if it is no JSON or lacks something, and the
+/// line of the drawing if that contradicts itself.
+pub fn read_drawing(bytes: &[u8]) -> Result<VisibleLines, ExportError> {
+    // The format is looked at first: of another version nothing else may fit.
+    let Header { format } = serde_json::from_slice(bytes)?;
+    if format != FORMAT {
+        return Err(ExportError::DrawingFormat(format));
+    }
+    let text: DrawingText = serde_json::from_slice(bytes)?;
+    let frame = read_frame(&text.frame)?;
+    let mut objects = Objects::new(text.objects);
+    let has_runs = text.lines.iter().all(|line| line.run.is_some());
+    let mut pieces = Vec::with_capacity(text.lines.len());
+    for (index, line) in text.lines.iter().enumerate() {
+        let run = line.run.filter(|_| has_runs).unwrap_or(index as u32);
+        let object = objects.find(&line.object);
+        let piece = read_line(line, object, run);
+        pieces.push(piece.map_err(|message| ExportError::Line { index, message })?);
+    }
+    let mut counters = Counters::default();
+    for (name, amount) in text.counters {
+        counters.add(name, amount);
+    }
+    Ok(VisibleLines {
+        frame,
+        objects: objects.names,
+        pieces,
+        counters,
+    })
+}
+
+#[derive(Deserialize)]
+struct Header {
+    format: String,
+}
+
+#[derive(Deserialize)]
+struct DrawingText<'a> {
+    #[serde(borrow)]
+    frame: FrameText<'a>,
+    #[serde(default)]
+    objects: Vec<String>,
+    #[serde(borrow)]
+    lines: Vec<LineText<'a>>,
+    #[serde(default)]
+    counters: BTreeMap<String, u64>,
+}
+
+/// The objects so far; the first of a name stands for all of it.
+struct Objects {
+    names: Vec<String>,
+    known: FxHashMap<String, u32>,
+}
+
+impl Objects {
+    fn new(names: Vec<String>) -> Self {
+        let mut known = FxHashMap::default();
+        for (index, name) in names.iter().enumerate() {
+            known.entry(name.clone()).or_insert(index as u32);
+        }
+        Objects { names, known }
+    }
+
+    fn find(&mut self, name: &str) -> u32 {
+        if let Some(index) = self.known.get(name) {
+            return *index;
+        }
+        let index = self.names.len() as u32;
+        self.names.push(name.to_owned());
+        self.known.insert(name.to_owned(), index);
+        index
+    }
+}
+
+fn read_frame(text: &FrameText) -> Result<Frame, ExportError> {
+    let projection = match &*text.kind {
+        ORTHOGRAPHIC => Projection::Orthographic,
+        PERSPECTIVE => Projection::Perspective,
+        other => return Err(ExportError::FrameKind(other.to_owned())),
+    };
+    Ok(Frame {
+        projection,
+        origin: DVec3::from_array(text.origin),
+        right: DVec3::from_array(text.right),
+        up: DVec3::from_array(text.up),
+        forward: DVec3::from_array(text.forward),
+        shear: DVec2::from_array(text.shear),
+    })
+}
+
+fn read_line(text: &LineText, object: u32, run: u32) -> Result<LinePiece, &'static str> {
+    let class = LineClass::from_name(&text.class).ok_or(
+        "unknown `class`; expected contour, boundary, non-manifold, crease, intersection, line \
+         or mesh",
+    )?;
+    if text.visible != (text.invisibility == 0) {
+        return Err("`visible` contradicts `invisibility`; expected visible where it is 0");
+    }
+    let source = match (text.edge, text.faces) {
+        (Some(vertices), None) => LineSource::Edge(vertices),
+        (None, Some(faces)) => LineSource::Faces(faces),
+        _ => return Err("expected either `edge` or `faces`"),
+    };
+    Ok(LinePiece {
+        class,
+        invisibility: text.invisibility,
+        points: text.points.map(DVec2::from_array),
+        depth: text.depth,
+        object,
+        source,
+        run,
+    })
+}

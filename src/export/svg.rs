@@ -1,0 +1,175 @@
+//! SVG as plotter programs and Inkscape read it.
+//!
+//! - One user unit is one millimetre: width and height in mm, the view box in
+//!   the same numbers.
+//! - Every layer is a top-level group that Inkscape shows as a layer and vpype
+//!   reads as a pen by the number its label begins with. No group surrounds
+//!   them, since programs that look only at the top would see one layer.
+//! - The style stands on the group; all strokes of a layer are one path of
+//!   many subpaths, which is the quickest to read and the shortest to write.
+//! - Dashes have been strokes since `drawing`; there is no dash pattern.
+//!
+//! The document is built with the crate `svg`; only the path data, nearly all
+//! of the text, is written by hand, in chunks on all cores.
+
+use super::ExportError;
+use super::decimal::DecimalGrid;
+use crate::drawing::{Drawing, Layer, is_closed};
+use crate::run::map_chunks;
+use ::svg::Document;
+use ::svg::node::Text;
+use ::svg::node::element::{Element, Group, Path};
+use glam::DVec2;
+
+/// How many strokes are written by one piece of work.
+const CHUNK: usize = 4096;
+
+/// How an SVG is written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SvgOptions {
+    /// Decimals of a millimetre, 0 to 9.
+    pub precision: u8,
+    /// The command that made the drawing, noted in the metadata.
+    pub command: Option<String>,
+}
+
+impl Default for SvgOptions {
+    fn default() -> Self {
+        SvgOptions {
+            precision: 3,
+            command: None,
+        }
+    }
+}
+
+/// The drawing as an SVG document.
+///
+/// Points that fall together when rounded are written once; a stroke that
+/// becomes a single point is left out.
+pub fn to_svg(drawing: &Drawing, options: &SvgOptions) -> Result<String, ExportError> {
+    let grid =
+        DecimalGrid::new(options.precision).ok_or(ExportError::Precision(options.precision))?;
+    let (width, height) = (grid.format(drawing.size.x), grid.format(drawing.size.y));
+    let mut document = Document::new()
+        .set("width", format!("{width}mm"))
+        .set("height", format!("{height}mm"))
+        .set("viewBox", format!("0 0 {width} {height}"))
+        .set(
+            "xmlns:inkscape",
+            "http://www.inkscape.org/namespaces/inkscape",
+        )
+        .add(metadata(options));
+    for layer in &drawing.layers {
+        document = document.add(group(layer, grid));
+    }
+    let mut text = document.to_string();
+    text.push('\n');
+    Ok(text)
+}
+
+fn group(layer: &Layer, grid: DecimalGrid) -> Group {
+    let [red, green, blue] = layer.style.color.0;
+    Group::new()
+        .set("id", format!("layer{}", layer.number))
+        .set("inkscape:groupmode", "layer")
+        .set("inkscape:label", allowed(&layer.label))
+        .set("fill", "none")
+        .set("stroke", format!("#{red:02x}{green:02x}{blue:02x}"))
+        .set("stroke-width", layer.style.width)
+        .set("stroke-linecap", "round")
+        .set("stroke-linejoin", "round")
+        .add(Path::new().set("d", path_data(layer, grid)))
+}
+
+/// All strokes of a layer as subpaths.
+fn path_data(layer: &Layer, grid: DecimalGrid) -> String {
+    let strokes = &layer.strokes;
+    let chunks = map_chunks(strokes.len(), CHUNK, |range| {
+        let mut text = String::new();
+        let mut rounded = Vec::new();
+        for index in range {
+            push_stroke(&mut text, strokes.get(index), grid, &mut rounded);
+        }
+        text
+    });
+    chunks.concat()
+}
+
+/// `M0 0L10 0L10 5Z`; `rounded` is scratch space.
+fn push_stroke(
+    text: &mut String,
+    stroke: &[DVec2],
+    grid: DecimalGrid,
+    rounded: &mut Vec<[i64; 2]>,
+) {
+    rounded.clear();
+    rounded.extend(
+        stroke
+            .iter()
+            .map(|point| [grid.round(point.x), grid.round(point.y)]),
+    );
+    rounded.dedup();
+    if rounded.len() < 2 {
+        return;
+    }
+    let closed = is_closed(stroke);
+    if closed {
+        rounded.pop();
+    }
+    for (index, [x, y]) in rounded.iter().enumerate() {
+        text.push(if index == 0 { 'M' } else { 'L' });
+        grid.push(text, *x);
+        text.push(' ');
+        grid.push(text, *y);
+    }
+    if closed {
+        text.push('Z');
+    }
+}
+
+/// Who made the drawing and how, in the words of Dublin Core; no date.
+fn metadata(options: &SvgOptions) -> Element {
+    let mut work = element("rdf:Description", &[("rdf:about", "")]);
+    let program = concat!("umriss ", env!("CARGO_PKG_VERSION"));
+    let notes = [
+        ("dc:creator", Some(program)),
+        ("dc:source", options.command.as_deref()),
+    ];
+    for (name, note) in notes {
+        if let Some(note) = note {
+            let mut line = element(name, &[]);
+            line.get_children_mut()
+                .push(Box::new(Text::new(allowed(note))));
+            work.get_children_mut().push(Box::new(line));
+        }
+    }
+    let mut description = element(
+        "rdf:RDF",
+        &[
+            ("xmlns:rdf", "http://www.w3.org/1999/02/22-rdf-syntax-ns#"),
+            ("xmlns:dc", "http://purl.org/dc/elements/1.1/"),
+        ],
+    );
+    description.get_children_mut().push(Box::new(work));
+    let mut metadata = element("metadata", &[]);
+    metadata.get_children_mut().push(Box::new(description));
+    metadata
+}
+
+fn element(name: &str, attributes: &[(&str, &str)]) -> Element {
+    let mut element = Element::new(name);
+    for (name, value) in attributes {
+        element
+            .get_attributes_mut()
+            .insert((*name).to_owned(), (*value).into());
+    }
+    element
+}
+
+/// The text with what XML 1.0 has no character for marked as replaced.
+fn allowed(text: &str) -> String {
+    let forbidden = |c: char| {
+        (c < ' ' && !matches!(c, '\t' | '\n' | '\r')) || matches!(c, '\u{fffe}' | '\u{ffff}')
+    };
+    text.replace(forbidden, "\u{fffd}")
+}

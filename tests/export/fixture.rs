@@ -1,0 +1,65 @@
+//! A small view made by hand: the visible outline of a box and its hidden
+//! edges, one line of another object, one common line of two faces.
+
+use glam::{DVec2, DVec3};
+use umriss::run::Counters;
+use umriss::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+
+/// The drawing of a cube of 20 mm seen from above in an oblique view.
+pub(crate) fn cube() -> VisibleLines {
+    let front = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)];
+    let back = front.map(|(u, v)| (u + 8.0, v + 5.5));
+    let mut pieces = Vec::new();
+    for i in 0..4 {
+        let next = (i + 1) % 4;
+        add(&mut pieces, LineClass::Contour, 0, front[i], front[next]);
+        // The lower left corner of the back is behind the front.
+        let hidden = u32::from(i == 0 || i == 3);
+        add(&mut pieces, LineClass::Crease, hidden, back[i], back[next]);
+        add(
+            &mut pieces,
+            LineClass::Crease,
+            u32::from(i == 0),
+            front[i],
+            back[i],
+        );
+    }
+    let label = &mut pieces[0];
+    label.class = LineClass::Intersection;
+    label.source = LineSource::Faces([3, 11]);
+    let mut counters = Counters::default();
+    counters.add("crossings", 12);
+    counters.add("edges", 12);
+    VisibleLines {
+        frame: Frame {
+            projection: Projection::Orthographic,
+            origin: DVec3::new(0.0, -0.0, 0.1),
+            right: DVec3::X,
+            up: DVec3::Z,
+            forward: DVec3::Y,
+            shear: DVec2::new(0.4, 0.275),
+        },
+        objects: vec!["cube & <box>".into(), "unused".into()],
+        pieces,
+        counters,
+    }
+}
+
+fn add(
+    pieces: &mut Vec<LinePiece>,
+    class: LineClass,
+    invisibility: u32,
+    from: (f64, f64),
+    to: (f64, f64),
+) {
+    let run = pieces.len() as u32;
+    pieces.push(LinePiece {
+        class,
+        invisibility,
+        points: [DVec2::from(from), DVec2::from(to)],
+        depth: [0.0, 1.0 / 3.0],
+        object: 0,
+        source: LineSource::Edge([run, run + 1]),
+        run,
+    });
+}
