@@ -1,1 +1,5 @@
-//! To come.
+//! Polygons with holes, cut into triangles.
+
+mod triangulation;
+
+pub use triangulation::{Triangles, TriangulationError, rings_of, triangulate};

@@ -190,9 +190,8 @@ mod tests {
 
     /// Integers with up to 53 significant bits anywhere below 2^125.
     fn coordinate() -> impl Strategy<Value = f64> {
-        (any::<i64>(), 0..72_u32).prop_map(|(mantissa, shift)| {
-            ((mantissa >> 11) as f64) * f64::powi(2.0, shift as i32)
-        })
+        (any::<i64>(), 0..72_u32)
+            .prop_map(|(mantissa, shift)| ((mantissa >> 11) as f64) * f64::powi(2.0, shift as i32))
     }
 
     /// `(a - b) * (c - d) - e * f`, the shape of everything evaluated here.

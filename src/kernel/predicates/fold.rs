@@ -8,7 +8,7 @@
 //! `(m.n)^2 - cos^2 m^2 n^2`, a polynomial of degree eight, in which the
 //! cosine is an input number like any other.
 
-use super::{Formula, Policy, Points, Predicate, Predicates};
+use super::{Formula, Points, Policy, Predicate, Predicates};
 use crate::kernel::numbers::{Ring, Sign, cross, difference, dot};
 
 /// Binary places of a threshold's cosine.
@@ -59,8 +59,8 @@ impl Formula for FoldFormula {
     #[inline(always)]
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         let origin = points.vertex::<R>(self.edge[0]);
-        let [edge, c, d] =
-            [self.edge[1], self.thirds[0], self.thirds[1]].map(|i| difference(points.vertex(i), &origin));
+        let [edge, c, d] = [self.edge[1], self.thirds[0], self.thirds[1]]
+            .map(|i| difference(points.vertex(i), &origin));
         let m = cross(edge.clone(), c);
         let n = cross(edge, d);
         let product = dot(m.clone(), n.clone());

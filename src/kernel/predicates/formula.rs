@@ -33,11 +33,13 @@ pub enum Predicate {
     Fold,
     /// [`Combination`]: a plane's functional inside a carrier.
     Combination,
+    /// [`Turn`]: which way a closed ring runs.
+    Turn,
 }
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 9;
+    pub const COUNT: usize = 10;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -51,6 +53,7 @@ impl Predicate {
         ["filter-failures-image-side", "big-integers-image-side"],
         ["filter-failures-fold", "big-integers-fold"],
         ["filter-failures-combination", "big-integers-combination"],
+        ["filter-failures-turn", "big-integers-turn"],
     ];
 }
 
@@ -203,6 +206,30 @@ impl Formula for Orientation {
     }
 }
 
+/// The sum of `[E, first, p, q]` over the edges pq of a closed ring of
+/// consecutive vertices: twice the signed area of its image from an
+/// orthographic eye, times the length of the eye's direction.
+pub(super) struct Turn(pub(super) std::ops::Range<u32>);
+
+impl Formula for Turn {
+    const PREDICATE: Predicate = Predicate::Turn;
+
+    fn degree(&self) -> u32 {
+        3
+    }
+
+    fn bits(&self, spread: u32) -> u32 {
+        // As many terms as the ring has corners.
+        self.degree() * (spread + 2) + 2 + u32::BITS - (self.0.len() as u32).leading_zeros()
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let first = self.0.start;
+        let pairs = (first + 1)..self.0.end.max(first + 2) - 1;
+        pairs.fold(R::read(0.0, 0), |sum, p| sum + side(points, first, p, p + 1))
+    }
+}
+
 /// On which side of a cutting plane lies a point?
 pub(super) struct Value(pub(super) Cut, pub(super) Point);
 
@@ -307,10 +334,10 @@ impl Formula for Combination {
         let [start, end] = self.carrier.ends;
         // The ends' own positive weights must be equal before adding up:
         // each side is multiplied with the weight of the other.
-        let one = |point, other| {
-            weight::<R>(points, other) * cut_at_point::<R>(points, self.cut, point)
-        };
-        R::read(self.weights[0], 0) * one(start, end) + R::read(self.weights[1], 0) * one(end, start)
+        let one =
+            |point, other| weight::<R>(points, other) * cut_at_point::<R>(points, self.cut, point);
+        R::read(self.weights[0], 0) * one(start, end)
+            + R::read(self.weights[1], 0) * one(end, start)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Value,
+    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign};
@@ -163,6 +163,13 @@ impl<'p, P: Policy> Predicates<'p, P> {
         self.side(a, b, c)
     }
 
+    /// Which way the image of a closed ring of consecutive vertices turns,
+    /// by its signed area: positive is counterclockwise. For orthographic
+    /// eyes; the ring need not be simple. O(n).
+    pub fn turn(&self, ring: std::ops::Range<u32>) -> Sign {
+        self.decide(&Turn(ring))
+    }
+
     /// On which side of a triangle's plane does vertex `x` lie? Positive is
     /// where abc and x have a positive `[a, b, c, x]`; a point is behind the
     /// triangle where this equals [`Self::facing`]. Degree 3.
@@ -242,16 +249,15 @@ impl<'p, P: Policy> Predicates<'p, P> {
             carrier,
             place,
             positive_start: match place {
-                Place::Cut(cut) => self.value_sign(cut, carrier.ends[0]) == Sign::Positive
-                    || self.value_sign(cut, carrier.ends[1]) == Sign::Negative,
+                Place::Cut(cut) => {
+                    self.value_sign(cut, carrier.ends[0]) == Sign::Positive
+                        || self.value_sign(cut, carrier.ends[1]) == Sign::Negative
+                }
                 Place::Start | Place::End => true,
             },
         };
         let compare = |first, second| self.decide(&AlongImage { first, second, axis });
-        let sense = compare(
-            locate((reference, Place::Start)),
-            locate((reference, Place::End)),
-        );
+        let sense = compare(locate((reference, Place::Start)), locate((reference, Place::End)));
         (-(compare(locate(first), locate(second)) * sense)).into()
     }
 
@@ -260,9 +266,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn axis_across(&self, carrier: Carrier) -> Option<u8> {
         let start = Located { carrier, place: Place::Start, positive_start: true };
         let end = Located { carrier, place: Place::End, positive_start: true };
-        (0..3).find(|&axis| {
-            !self.decide(&AlongImage { first: start, second: end, axis }).is_zero()
-        })
+        (0..3).find(|&axis| !self.decide(&AlongImage { first: start, second: end, axis }).is_zero())
     }
 
     /// The parameter of a cut, from 0 at the carrier's start to 1 at its

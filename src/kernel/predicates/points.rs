@@ -99,8 +99,9 @@ impl Points {
     /// Measures and scales the vertices, the eye and the near plane of a
     /// view. All numbers must be finite. O(n).
     pub fn new(vertices: &[DVec3], eye: Eye, near: Option<NearPlane>) -> Self {
-        let ranges =
-            map_chunks(vertices.len(), 1 << 16, |part| BitRange::of(vertices[part].iter().copied()));
+        let ranges = map_chunks(vertices.len(), 1 << 16, |part| {
+            BitRange::of(vertices[part].iter().copied())
+        });
         let mut points = ranges.into_iter().fold(BitRange::EMPTY, BitRange::union);
         let eye_range = BitRange::of([eye.coordinates()]);
         let mut directions = BitRange::EMPTY;
@@ -109,11 +110,12 @@ impl Points {
         } else {
             directions = eye_range;
         }
-        let forward_range =
-            near.map_or(BitRange::EMPTY, |plane| BitRange::of([plane.forward]));
+        let forward_range = near.map_or(BitRange::EMPTY, |plane| BitRange::of([plane.forward]));
         let spread = points.width().max(directions.width()).max(forward_range.width());
         let narrow = spread <= NARROW;
-        let shift = |value: f64, unit: i32| if narrow { divide_by_unit(value, unit) } else { value };
+        let shift = |value: f64, unit: i32| {
+            if narrow { divide_by_unit(value, unit) } else { value }
+        };
         let shift3 = |v: DVec3, unit: i32| v.to_array().map(|x| shift(x, unit));
         let kept_unit = |unit: i32| if narrow { 0 } else { unit };
 
