@@ -137,11 +137,7 @@ impl Path {
             length += pair[0].distance(pair[1]);
             lengths.push(length);
         }
-        Path {
-            points,
-            lengths,
-            closed,
-        }
+        Path { points, lengths, closed }
     }
 
     fn length(&self) -> f64 {
@@ -153,11 +149,7 @@ impl Path {
     fn corners(&self) -> Vec<f64> {
         let mut corners = Vec::new();
         if self.closed
-            && is_corner(
-                self.points[self.points.len() - 2],
-                self.points[0],
-                self.points[1],
-            )
+            && is_corner(self.points[self.points.len() - 2], self.points[0], self.points[1])
         {
             corners.push(0.0);
         }
@@ -174,12 +166,7 @@ impl Path {
         let inner = self.lengths.partition_point(|length| *length <= from)
             ..self.lengths.partition_point(|length| *length < to);
         let inner = self.points.get(inner).unwrap_or_default();
-        strokes.push(
-            [self.at(from)]
-                .into_iter()
-                .chain(inner.iter().copied())
-                .chain([self.at(to)]),
-        );
+        strokes.push([self.at(from)].into_iter().chain(inner.iter().copied()).chain([self.at(to)]));
     }
 
     /// The point at a length; exactly a point of the polyline where it is one.

@@ -38,8 +38,7 @@ impl Joints {
     /// Pairs `ends`, which all lie in one point, and notes it in `partners`.
     pub(super) fn pair(&mut self, segments: &[[DVec2; 2]], ends: &[u32], partners: &mut [u32]) {
         self.spokes.clear();
-        self.spokes
-            .extend(ends.iter().map(|end| Spoke::new(segments, *end)));
+        self.spokes.extend(ends.iter().map(|end| Spoke::new(segments, *end)));
         self.spokes.sort_unstable_by(Spoke::compare);
         if ALL_PAIRS < ends.len() {
             let half = ends.len() / 2;
@@ -51,14 +50,11 @@ impl Joints {
         self.pairs.clear();
         for (i, one) in self.spokes.iter().enumerate() {
             for (j, other) in self.spokes.iter().enumerate().skip(i + 1) {
-                self.pairs
-                    .push((one.away.dot(other.away), i as u32, j as u32));
+                self.pairs.push((one.away.dot(other.away), i as u32, j as u32));
             }
         }
-        self.pairs.sort_unstable_by(|a, b| {
-            a.0.total_cmp(&b.0)
-                .then_with(|| (a.1, a.2).cmp(&(b.1, b.2)))
-        });
+        self.pairs
+            .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then_with(|| (a.1, a.2).cmp(&(b.1, b.2))));
         let mut free = [true; ALL_PAIRS];
         for (_, i, j) in &self.pairs {
             let (i, j) = (*i as usize, *j as usize);
@@ -78,11 +74,7 @@ fn join(partners: &mut [u32], one: u32, other: u32) {
 impl Spoke {
     fn new(segments: &[[DVec2; 2]], end: u32) -> Self {
         let far = point(segments, end ^ 1);
-        Spoke {
-            end,
-            away: (far - point(segments, end)).normalize_or_zero(),
-            far,
-        }
+        Spoke { end, away: (far - point(segments, end)).normalize_or_zero(), far }
     }
 
     /// Around the joint, then outwards; the last resort keeps equal segments
@@ -98,10 +90,6 @@ impl Spoke {
     /// Grows with the angle from -2 to 2, without trigonometry.
     fn turn(&self) -> f64 {
         let share = self.away.x / (self.away.x.abs() + self.away.y.abs());
-        if self.away.y < 0.0 {
-            share - 1.0
-        } else {
-            1.0 - share
-        }
+        if self.away.y < 0.0 { share - 1.0 } else { 1.0 - share }
     }
 }

@@ -40,18 +40,9 @@ pub(super) fn plan(lines: &VisibleLines, options: &DrawingOptions) -> Vec<LayerP
         for (rank, group) in used.iter().enumerate() {
             let pieces = std::mem::take(&mut buckets[*group][usize::from(hidden)]);
             if !pieces.is_empty() {
-                let number = if hidden {
-                    used.len() + rank + 1
-                } else {
-                    rank + 1
-                } as u32;
+                let number = if hidden { used.len() + rank + 1 } else { rank + 1 } as u32;
                 let label = format!("{number}-{}", groups.layer_name(*group, hidden));
-                plans.push(LayerPlan {
-                    number,
-                    label,
-                    hidden,
-                    pieces,
-                });
+                plans.push(LayerPlan { number, label, hidden, pieces });
             }
         }
     }
@@ -85,11 +76,7 @@ impl<'a> Groups<'a> {
                 names
             }
         };
-        Groups {
-            by,
-            names,
-            of_object,
-        }
+        Groups { by, names, of_object }
     }
 
     fn of(&self, piece: &LinePiece) -> usize {

@@ -61,12 +61,8 @@ pub(super) fn split_unit(text: &str) -> (&str, Option<f64>) {
 
 /// A plain decimal number, not negative: digits and a point, no exponent.
 pub(super) fn parse_number(text: &str) -> Option<f64> {
-    let plain = text
-        .bytes()
-        .all(|byte| byte.is_ascii_digit() || byte == b'.');
-    text.parse()
-        .ok()
-        .filter(|number: &f64| plain && number.is_finite())
+    let plain = text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+    text.parse().ok().filter(|number: &f64| plain && number.is_finite())
 }
 
 #[cfg(test)]
@@ -75,28 +71,18 @@ mod tests {
 
     #[test]
     fn every_unit_is_read() {
-        for (text, millimetres) in [
-            ("10mm", 10.0),
-            ("1.5cm", 15.0),
-            ("0.5in", 12.7),
-            (" 2 MM ", 2.0),
-            ("0", 0.0),
-        ] {
+        for (text, millimetres) in
+            [("10mm", 10.0), ("1.5cm", 15.0), ("0.5in", 12.7), (" 2 MM ", 2.0), ("0", 0.0)]
+        {
             assert_eq!(text.parse(), Length::new(millimetres), "{text}");
         }
     }
 
     #[test]
     fn what_is_no_length_is_refused() {
-        for text in [
-            "", "10", "mm", "-1mm", "1e3mm", "nanmm", "infmm", "1,5cm", "3px", "é",
-        ] {
+        for text in ["", "10", "mm", "-1mm", "1e3mm", "nanmm", "infmm", "1,5cm", "3px", "é"] {
             let refused = text.parse::<Length>();
-            assert_eq!(
-                refused,
-                Err(DrawingError::Length(text.to_owned())),
-                "{text}"
-            );
+            assert_eq!(refused, Err(DrawingError::Length(text.to_owned())), "{text}");
         }
     }
 }

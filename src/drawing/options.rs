@@ -58,10 +58,7 @@ impl FromStr for LayerBy {
 }
 
 fn refuse(word: &str, expected: &'static str) -> DrawingError {
-    DrawingError::Choice {
-        word: word.to_owned(),
-        expected,
-    }
+    DrawingError::Choice { word: word.to_owned(), expected }
 }
 
 /// The wishes for a page. The default is A4 upright, margins of 10 mm, as
@@ -119,9 +116,6 @@ mod tests {
         assert_eq!("dashed".parse(), Ok(Hidden::Dashed));
         assert_eq!("object".parse(), Ok(LayerBy::Object));
         let refused = "dotted".parse::<Hidden>();
-        assert_eq!(
-            refused,
-            Err(refuse("dotted", "none, dashed or solid"))
-        );
+        assert_eq!(refused, Err(refuse("dotted", "none, dashed or solid")));
     }
 }

@@ -67,18 +67,10 @@ impl Drawing {
         }
         let plans = plan(lines, options);
         let placement = Placement::new(lines, &plans, options)?;
-        let layers = map_indexed(plans.len(), |i| {
-            draw_layer(lines, &plans[i], &placement, options)
-        });
-        let layers = layers
-            .into_iter()
-            .filter(|layer| !layer.strokes.is_empty())
-            .collect();
-        Ok(Drawing {
-            size: placement.size,
-            scale: placement.scale,
-            layers,
-        })
+        let layers =
+            map_indexed(plans.len(), |i| draw_layer(lines, &plans[i], &placement, options));
+        let layers = layers.into_iter().filter(|layer| !layer.strokes.is_empty()).collect();
+        Ok(Drawing { size: placement.size, scale: placement.scale, layers })
     }
 }
 
@@ -93,21 +85,9 @@ fn draw_layer(
         (true, Hidden::Dashed) => dashed(&solid, options.hidden_width),
         _ => solid,
     };
-    let width = if plan.hidden {
-        options.hidden_width
-    } else {
-        options.visible_width
-    };
-    let style = LineStyle {
-        width,
-        color: Color([0; 3]),
-    };
-    Layer {
-        number: plan.number,
-        label: plan.label.clone(),
-        style,
-        strokes,
-    }
+    let width = if plan.hidden { options.hidden_width } else { options.visible_width };
+    let style = LineStyle { width, color: Color([0; 3]) };
+    Layer { number: plan.number, label: plan.label.clone(), style, strokes }
 }
 
 #[cfg(test)]

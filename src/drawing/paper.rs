@@ -38,19 +38,15 @@ pub enum Paper {
 
 impl Paper {
     /// A4, upright.
-    pub const A4: Paper = Paper::Sheet {
-        width: 210.0,
-        height: 297.0,
-    };
+    pub const A4: Paper = Paper::Sheet { width: 210.0, height: 297.0 };
 
     /// The same sheet with its longer side lying.
     #[must_use]
     pub fn landscape(self) -> Self {
         match self {
-            Paper::Sheet { width, height } if width < height => Paper::Sheet {
-                width: height,
-                height: width,
-            },
+            Paper::Sheet { width, height } if width < height => {
+                Paper::Sheet { width: height, height: width }
+            }
             other => other,
         }
     }
@@ -101,9 +97,7 @@ mod tests {
 
     #[test]
     fn what_is_no_paper_is_refused() {
-        for text in [
-            "", "a7", "200x100", "0x10mm", "10mm", "10xmm", "-1x5mm", "1x2x3mm", "x",
-        ] {
+        for text in ["", "a7", "200x100", "0x10mm", "10mm", "10xmm", "-1x5mm", "1x2x3mm", "x"] {
             let refused = text.parse::<Paper>();
             assert_eq!(refused, Err(DrawingError::Paper(text.to_owned())), "{text}");
         }
@@ -111,10 +105,7 @@ mod tests {
 
     #[test]
     fn landscape_turns_only_what_stands() {
-        let lying = Paper::Sheet {
-            width: 297.0,
-            height: 210.0,
-        };
+        let lying = Paper::Sheet { width: 297.0, height: 210.0 };
         assert_eq!(Paper::A4.landscape(), lying);
         assert_eq!(lying.landscape(), lying);
         assert_eq!(Paper::Tight.landscape(), Paper::Tight);

@@ -33,11 +33,7 @@ impl Placement {
         let (low, high) = bounds(lines, plans)?;
         let extent = high - low;
         let margin = options.margin.millimetres();
-        let paper = if options.landscape {
-            options.paper.landscape()
-        } else {
-            options.paper
-        };
+        let paper = if options.landscape { options.paper.landscape() } else { options.paper };
         let natural = match lines.frame.projection {
             Projection::Orthographic => options.unit.millimetres(),
             Projection::Perspective => 1.0,
@@ -69,10 +65,7 @@ impl Placement {
             Paper::Sheet { width, height } => DVec2::new(width, height),
         };
         if LONGEST < size.max_element() {
-            return Err(DrawingError::Endless {
-                width: size.x,
-                height: size.y,
-            });
+            return Err(DrawingError::Endless { width: size.x, height: size.y });
         }
         if size.x * SLACK < drawn.x || size.y * SLACK < drawn.y {
             return Err(DrawingError::TooLarge {
@@ -82,11 +75,7 @@ impl Placement {
                 page_height: size.y,
             });
         }
-        Ok(Placement {
-            size,
-            scale,
-            centre: 0.5 * low + 0.5 * high,
-        })
+        Ok(Placement { size, scale, centre: 0.5 * low + 0.5 * high })
     }
 
     /// The place of an image point on the page, mm, never a negative zero.
@@ -112,11 +101,7 @@ fn bounds(lines: &VisibleLines, plans: &[LayerPlan]) -> Result<(DVec2, DVec2), D
     if plans.is_empty() {
         return Ok((DVec2::ZERO, DVec2::ZERO));
     }
-    if (high - low).is_finite() {
-        Ok((low, high))
-    } else {
-        Err(DrawingError::NotFinite)
-    }
+    if (high - low).is_finite() { Ok((low, high)) } else { Err(DrawingError::NotFinite) }
 }
 
 /// What the margins leave of a sheet; nothing is fixed on tight paper.
@@ -128,11 +113,7 @@ fn room(paper: Paper, margin: f64) -> Result<Option<DVec2>, DrawingError> {
     if 0.0 < room.min_element() {
         Ok(Some(room))
     } else {
-        Err(DrawingError::Margin {
-            margin,
-            width,
-            height,
-        })
+        Err(DrawingError::Margin { margin, width, height })
     }
 }
 

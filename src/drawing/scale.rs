@@ -31,9 +31,7 @@ impl FromStr for Scale {
         let scale = match plain.split_once(':') {
             _ if plain.eq_ignore_ascii_case("fit") => Some(Scale::Fit),
             Some((paper, model)) => ratio(paper, model).map(Scale::Ratio),
-            None => parse_number(plain)
-                .filter(|factor| 0.0 < *factor)
-                .map(Scale::Factor),
+            None => parse_number(plain).filter(|factor| 0.0 < *factor).map(Scale::Factor),
         };
         scale.ok_or_else(|| DrawingError::Scale(text.to_owned()))
     }

@@ -55,10 +55,7 @@ impl Strokes {
     /// The length of all strokes together, mm.
     pub fn length(&self) -> f64 {
         let stroke = |points: &[DVec2]| -> f64 {
-            points
-                .windows(2)
-                .map(|pair| pair[0].distance(pair[1]))
-                .sum()
+            points.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
         };
         self.iter().map(stroke).sum()
     }

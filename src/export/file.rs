@@ -19,10 +19,7 @@ const NAMES: u32 = 1000;
 /// A symbolic link keeps pointing where it points; its target is replaced.
 /// An existing file keeps its permissions.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ExportError> {
-    replace(path, bytes).map_err(|source| ExportError::File {
-        path: path.to_owned(),
-        source,
-    })
+    replace(path, bytes).map_err(|source| ExportError::File { path: path.to_owned(), source })
 }
 
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -33,11 +30,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => return Err(error),
     };
-    let target = if existing.is_some() {
-        path.canonicalize()?
-    } else {
-        path.to_owned()
-    };
+    let target = if existing.is_some() { path.canonicalize()? } else { path.to_owned() };
     let (file, draft) = Draft::create(&target)?;
     let written = fill(file, bytes, existing.map(|metadata| metadata.permissions()));
     written.and_then(|()| draft.publish(&target))
@@ -68,13 +61,7 @@ impl Draft {
             let path = target.with_file_name(own);
             match OpenOptions::new().write(true).create_new(true).open(&path) {
                 Ok(file) => {
-                    return Ok((
-                        file,
-                        Draft {
-                            path,
-                            published: false,
-                        },
-                    ));
+                    return Ok((file, Draft { path, published: false }));
                 }
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(error),
@@ -105,10 +92,7 @@ mod tests {
     use std::fs;
 
     fn names(folder: &Path) -> Vec<std::ffi::OsString> {
-        fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name())
-            .collect()
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name()).collect()
     }
 
     #[test]

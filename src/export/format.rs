@@ -24,30 +24,12 @@ struct Row {
 }
 
 const TABLE: [Row; 6] = [
-    Row {
-        names: &["svg"],
-        format: built(cfg!(feature = "svg"), OutputFormat::Svg),
-    },
-    Row {
-        names: &["hpgl", "plt"],
-        format: Some(OutputFormat::Hpgl),
-    },
-    Row {
-        names: &["json"],
-        format: built(cfg!(feature = "json"), OutputFormat::Json),
-    },
-    Row {
-        names: &["png"],
-        format: built(cfg!(feature = "png"), OutputFormat::Png),
-    },
-    Row {
-        names: &["dxf"],
-        format: None,
-    },
-    Row {
-        names: &["pdf"],
-        format: None,
-    },
+    Row { names: &["svg"], format: built(cfg!(feature = "svg"), OutputFormat::Svg) },
+    Row { names: &["hpgl", "plt"], format: Some(OutputFormat::Hpgl) },
+    Row { names: &["json"], format: built(cfg!(feature = "json"), OutputFormat::Json) },
+    Row { names: &["png"], format: built(cfg!(feature = "png"), OutputFormat::Png) },
+    Row { names: &["dxf"], format: None },
+    Row { names: &["pdf"], format: None },
 ];
 
 const fn built(with_feature: bool, format: OutputFormat) -> Option<OutputFormat> {
@@ -58,25 +40,12 @@ impl OutputFormat {
     /// The format called `name`, which is also its extension; upper or lower
     /// case.
     pub fn from_name(name: &str) -> Result<Self, ExportError> {
-        let called = |row: &&Row| {
-            row.names
-                .iter()
-                .any(|known| known.eq_ignore_ascii_case(name))
-        };
+        let called = |row: &&Row| row.names.iter().any(|known| known.eq_ignore_ascii_case(name));
         let name = name.to_owned();
         match TABLE.iter().find(called) {
-            Some(Row {
-                format: Some(format),
-                ..
-            }) => Ok(*format),
-            Some(_) => Err(ExportError::UnsupportedFormat {
-                name,
-                supported: supported(),
-            }),
-            None => Err(ExportError::UnknownFormat {
-                name,
-                supported: supported(),
-            }),
+            Some(Row { format: Some(format), .. }) => Ok(*format),
+            Some(_) => Err(ExportError::UnsupportedFormat { name, supported: supported() }),
+            None => Err(ExportError::UnknownFormat { name, supported: supported() }),
         }
     }
 
@@ -84,10 +53,7 @@ impl OutputFormat {
     pub fn from_path(path: &Path) -> Result<Self, ExportError> {
         match path.extension() {
             Some(extension) => Self::from_name(&extension.to_string_lossy()),
-            None => Err(ExportError::NoExtension {
-                path: path.to_owned(),
-                supported: supported(),
-            }),
+            None => Err(ExportError::NoExtension { path: path.to_owned(), supported: supported() }),
         }
     }
 
@@ -130,9 +96,7 @@ mod tests {
     #[test]
     fn formats_to_come_are_told_from_unknown_ones() {
         for name in ["dxf", "pdf"] {
-            let message = OutputFormat::from_name(name)
-                .err()
-                .map(|error| error.to_string());
+            let message = OutputFormat::from_name(name).err().map(|error| error.to_string());
             let message = message.unwrap_or_default();
             assert!(message.contains("not supported yet") && message.contains("hpgl, plt"));
         }

@@ -59,10 +59,7 @@ pub fn to_hpgl(drawing: &Drawing) -> Result<String, ExportError> {
         if 0 < index {
             text.push_str("PU;\n");
         }
-        text.push_str(&format!(
-            "SP{};\n",
-            1 + layer.number.saturating_sub(1) % PENS
-        ));
+        text.push_str(&format!("SP{};\n", 1 + layer.number.saturating_sub(1) % PENS));
         for chunk in write_layer(layer, drawing.size.y, limit) {
             text.push_str(&chunk?);
         }
@@ -94,10 +91,7 @@ fn to_units(point: DVec2, height: f64, limit: DVec2) -> Result<[i32; 2], ExportE
     if 0.0 <= x && x <= limit.x && 0.0 <= y && y <= limit.y {
         Ok([x as i32, y as i32])
     } else {
-        Err(ExportError::OutsidePage {
-            x: point.x,
-            y: point.y,
-        })
+        Err(ExportError::OutsidePage { x: point.x, y: point.y })
     }
 }
 

@@ -63,10 +63,7 @@ fn write_lines(
             return Err(ExportError::NotFinite { line: index });
         }
         text.extend_from_slice(if index == 0 { b"\n" } else { b",\n" });
-        let object = lines
-            .objects
-            .get(piece.object as usize)
-            .map_or("", String::as_str);
+        let object = lines.objects.get(piece.object as usize).map_or("", String::as_str);
         push(&mut text, &LineText::new(piece, object))?;
     }
     Ok(text)
@@ -85,16 +82,8 @@ impl From<serde_json::Error> for ExportError {
         let (line, column) = (error.line(), error.column());
         // The message ends with the place, which is told apart from it.
         let text = error.to_string();
-        let message = text
-            .split(" at line ")
-            .next()
-            .unwrap_or_default()
-            .to_owned();
-        ExportError::Json {
-            line,
-            column,
-            message,
-        }
+        let message = text.split(" at line ").next().unwrap_or_default().to_owned();
+        ExportError::Json { line, column, message }
     }
 }
 
@@ -145,14 +134,7 @@ fn frame_text(frame: &Frame) -> Result<FrameText<'static>, ExportError> {
     }
     let [origin, right, up, forward] = axes.map(|axis| unsigned_zeros(axis.to_array()));
     let shear = unsigned_zeros(frame.shear.to_array());
-    Ok(FrameText {
-        kind: kind.into(),
-        origin,
-        right,
-        up,
-        forward,
-        shear,
-    })
+    Ok(FrameText { kind: kind.into(), origin, right, up, forward, shear })
 }
 
 impl<'a> LineText<'a> {

@@ -44,12 +44,7 @@ pub fn read_drawing(bytes: &[u8]) -> Result<VisibleLines, ExportError> {
     for (name, amount) in text.counters {
         counters.add(name, amount);
     }
-    Ok(VisibleLines {
-        frame,
-        objects: objects.names,
-        pieces,
-        counters,
-    })
+    Ok(VisibleLines { frame, objects: objects.names, pieces, counters })
 }
 
 #[derive(Deserialize)]

@@ -26,10 +26,6 @@ pub fn to_png(svg: &str, width: u32) -> Result<Vec<u8>, ExportError> {
     }
     let mut picture = Pixmap::new(width, height).ok_or_else(refuse)?;
     picture.fill(Color::WHITE);
-    resvg::render(
-        &tree,
-        Transform::from_scale(scale, scale),
-        &mut picture.as_mut(),
-    );
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut picture.as_mut());
     picture.encode_png().map_err(|error| broken(&error))
 }

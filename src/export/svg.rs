@@ -35,10 +35,7 @@ pub struct SvgOptions {
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        SvgOptions {
-            precision: 3,
-            command: None,
-        }
+        SvgOptions { precision: 3, command: None }
     }
 }
 
@@ -54,10 +51,7 @@ pub fn to_svg(drawing: &Drawing, options: &SvgOptions) -> Result<String, ExportE
         .set("width", format!("{width}mm"))
         .set("height", format!("{height}mm"))
         .set("viewBox", format!("0 0 {width} {height}"))
-        .set(
-            "xmlns:inkscape",
-            "http://www.inkscape.org/namespaces/inkscape",
-        )
+        .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
         .add(metadata(options));
     for layer in &drawing.layers {
         document = document.add(group(layer, grid));
@@ -103,11 +97,7 @@ fn push_stroke(
     rounded: &mut Vec<[i64; 2]>,
 ) {
     rounded.clear();
-    rounded.extend(
-        stroke
-            .iter()
-            .map(|point| [grid.round(point.x), grid.round(point.y)]),
-    );
+    rounded.extend(stroke.iter().map(|point| [grid.round(point.x), grid.round(point.y)]));
     rounded.dedup();
     if rounded.len() < 2 {
         return;
@@ -131,15 +121,11 @@ fn push_stroke(
 fn metadata(options: &SvgOptions) -> Element {
     let mut work = element("rdf:Description", &[("rdf:about", "")]);
     let program = concat!("umriss ", env!("CARGO_PKG_VERSION"));
-    let notes = [
-        ("dc:creator", Some(program)),
-        ("dc:source", options.command.as_deref()),
-    ];
+    let notes = [("dc:creator", Some(program)), ("dc:source", options.command.as_deref())];
     for (name, note) in notes {
         if let Some(note) = note {
             let mut line = element(name, &[]);
-            line.get_children_mut()
-                .push(Box::new(Text::new(allowed(note))));
+            line.get_children_mut().push(Box::new(Text::new(allowed(note))));
             work.get_children_mut().push(Box::new(line));
         }
     }
@@ -159,9 +145,7 @@ fn metadata(options: &SvgOptions) -> Element {
 fn element(name: &str, attributes: &[(&str, &str)]) -> Element {
     let mut element = Element::new(name);
     for (name, value) in attributes {
-        element
-            .get_attributes_mut()
-            .insert((*name).to_owned(), (*value).into());
+        element.get_attributes_mut().insert((*name).to_owned(), (*value).into());
     }
     element
 }

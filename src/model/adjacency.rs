@@ -37,11 +37,7 @@ impl Edges {
     /// The triangles at an edge, in ascending order.
     #[inline(always)]
     pub fn triangles(&self, edge: u32) -> &[u32] {
-        let start = if edge == 0 {
-            0
-        } else {
-            self.incident[edge as usize - 1] as usize
-        };
+        let start = if edge == 0 { 0 } else { self.incident[edge as usize - 1] as usize };
         &self.triangles[start..self.incident[edge as usize] as usize]
     }
 
@@ -103,10 +99,7 @@ fn deal(triangles: &[[u32; 3]], part: std::ops::Range<usize>, ranges: usize) -> 
             *slot += 1;
         }
     }
-    Dealt {
-        half_edges: dealt,
-        ends,
-    }
+    Dealt { half_edges: dealt, ends }
 }
 
 /// Finds the edges of triangles over `vertices` vertices.
@@ -115,11 +108,7 @@ pub(super) fn edges_of(triangles: &[[u32; 3]], vertices: usize) -> Edges {
     let parts = map_chunks(triangles.len(), PART, |part| deal(triangles, part, ranges));
     let found = map_indexed(ranges, |range| {
         let half_edges = parts.iter().flat_map(|part| {
-            let start = if range == 0 {
-                0
-            } else {
-                part.ends[range - 1] as usize
-            };
+            let start = if range == 0 { 0 } else { part.ends[range - 1] as usize };
             &part.half_edges[start..part.ends[range] as usize]
         });
         edges_of_range(half_edges.copied(), (range as u32) << RANGE_BITS)
@@ -132,9 +121,7 @@ pub(super) fn edges_of(triangles: &[[u32; 3]], vertices: usize) -> Edges {
 /// `half_edges` come in ascending order of their triangles.
 fn edges_of_range(half_edges: impl Iterator<Item = HalfEdge> + Clone, first: u32) -> Edges {
     let mut ends = vec![0_u32; 1 << RANGE_BITS];
-    half_edges
-        .clone()
-        .for_each(|half_edge| ends[(half_edge.low - first) as usize] += 1);
+    half_edges.clone().for_each(|half_edge| ends[(half_edge.low - first) as usize] += 1);
     let mut next = Vec::with_capacity(ends.len());
     let mut sum = 0;
     for end in &mut ends {
@@ -173,9 +160,7 @@ fn concatenate(found: &[Edges]) -> Edges {
     for part in found {
         let offset = edges.triangles.len() as u32;
         edges.ends.extend_from_slice(&part.ends);
-        edges
-            .incident
-            .extend(part.incident.iter().map(|end| end + offset));
+        edges.incident.extend(part.incident.iter().map(|end| end + offset));
         edges.triangles.extend_from_slice(&part.triangles);
     }
     edges
@@ -190,10 +175,7 @@ mod tests {
         let edges = edges_of(&[[0, 1, 2], [1, 0, 3], [4, 1, 0]], 5);
         assert_eq!(edges.len(), 7);
         let shared = edges.find(1, 0);
-        assert_eq!(
-            shared.map(|edge| edges.triangles(edge).to_vec()),
-            Some(vec![0, 1, 2])
-        );
+        assert_eq!(shared.map(|edge| edges.triangles(edge).to_vec()), Some(vec![0, 1, 2]));
         assert_eq!(edges.find(2, 3), None);
     }
 
@@ -201,18 +183,7 @@ mod tests {
     fn edges_across_ranges_are_found_once() {
         let far = 3 << RANGE_BITS;
         let edges = edges_of(&[[0, far, far + 1], [far + 1, far, 7]], far as usize + 2);
-        let all: Vec<_> = (0..edges.len() as u32)
-            .map(|edge| edges.ends(edge))
-            .collect();
-        assert_eq!(
-            all,
-            [
-                [0, far],
-                [0, far + 1],
-                [7, far],
-                [7, far + 1],
-                [far, far + 1]
-            ]
-        );
+        let all: Vec<_> = (0..edges.len() as u32).map(|edge| edges.ends(edge)).collect();
+        assert_eq!(all, [[0, far], [0, far + 1], [7, far], [7, far + 1], [far, far + 1]]);
     }
 }

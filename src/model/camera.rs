@@ -82,27 +82,12 @@ impl Camera {
         let centre = bounds.0 * 0.5 + bounds.1 * 0.5;
         match *self {
             Camera::Standard(view) => view.view(centre),
-            Camera::Orthographic {
-                forward,
-                target,
-                up,
-            } => {
+            Camera::Orthographic { forward, target, up } => {
                 let target = target.unwrap_or(centre);
                 let frame = frame(Projection::Orthographic, target, forward, up, DVec2::ZERO)?;
-                Ok(View {
-                    eye: Eye::Towards(-forward),
-                    near: None,
-                    frame,
-                    half_height: None,
-                })
+                Ok(View { eye: Eye::Towards(-forward), near: None, frame, half_height: None })
             }
-            Camera::Perspective {
-                eye,
-                target,
-                up,
-                near,
-                fov_y_degrees,
-            } => {
+            Camera::Perspective { eye, target, up, near, fov_y_degrees } => {
                 let forward = target.unwrap_or(centre) - eye;
                 let frame = frame(Projection::Perspective, eye, forward, up, DVec2::ZERO)?;
                 let distance = near.unwrap_or(forward.length() / 1000.0);
@@ -142,14 +127,7 @@ pub(super) fn frame(
     }
     let forward = unit(forward);
     let right = unit(forward.cross(unit(up)));
-    Ok(Frame {
-        projection,
-        origin,
-        right,
-        up: right.cross(forward),
-        forward,
-        shear,
-    })
+    Ok(Frame { projection, origin, right, up: right.cross(forward), forward, shear })
 }
 
 /// The vector at length one, whatever its length was; exact for axes.
@@ -168,11 +146,7 @@ mod tests {
 
     #[test]
     fn front_view_has_the_exact_axes() -> Result<(), CameraError> {
-        let camera = Camera::Orthographic {
-            forward: DVec3::Y * 7.0,
-            target: None,
-            up: DVec3::Z,
-        };
+        let camera = Camera::Orthographic { forward: DVec3::Y * 7.0, target: None, up: DVec3::Z };
         let view = camera.view(BOX)?;
         assert_eq!(view.frame.right, DVec3::X);
         assert_eq!(view.frame.up, DVec3::Z);
@@ -183,11 +157,7 @@ mod tests {
 
     #[test]
     fn up_along_the_direction_is_refused() {
-        let camera = Camera::Orthographic {
-            forward: -DVec3::Z,
-            target: None,
-            up: DVec3::Z,
-        };
+        let camera = Camera::Orthographic { forward: -DVec3::Z, target: None, up: DVec3::Z };
         assert_eq!(camera.view(BOX), Err(CameraError::UpAlongDirection));
     }
 

@@ -38,28 +38,15 @@ pub(super) fn triangles_of(
     if soups.iter().all(|soup| soup.faces.as_triangles().is_some()) {
         return plain_triangles(soups, first_vertex, new_of_old, vertices, report);
     }
-    let mut triangles = Triangles {
-        faces: Some(Vec::new()),
-        polygonal: true,
-        ..Default::default()
-    };
+    let mut triangles =
+        Triangles { faces: Some(Vec::new()), polygonal: true, ..Default::default() };
     let mut face_number = 0;
     for (soup, &first) in soups.iter().zip(first_vertex) {
         let mut seen = FxHashSet::default();
         for face in 0..soup.faces.len() {
             let corner = |&old: &u32| new_of_old[(first + old) as usize];
-            let rings = soup
-                .faces
-                .rings(face)
-                .map(|ring| ring.iter().map(corner).collect());
-            add_face(
-                &mut triangles,
-                rings.collect(),
-                face_number,
-                vertices,
-                &mut seen,
-                report,
-            );
+            let rings = soup.faces.rings(face).map(|ring| ring.iter().map(corner).collect());
+            add_face(&mut triangles, rings.collect(), face_number, vertices, &mut seen, report);
             face_number += 1;
         }
     }
@@ -82,12 +69,9 @@ fn plain_triangles(
         let list = soup.faces.as_triangles().unwrap_or(&[]);
         let corner = |i: usize| new_of_old[(first + list[i]) as usize];
         let parts = map_chunks(list.len() / 3, PART, |part| {
-            let all: Vec<[u32; 3]> = part
-                .map(|i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)])
-                .collect();
-            let bad: Vec<usize> = (0..all.len())
-                .filter(|&i| is_flat(all[i], vertices))
-                .collect();
+            let all: Vec<[u32; 3]> =
+                part.map(|i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]).collect();
+            let bad: Vec<usize> = (0..all.len()).filter(|&i| is_flat(all[i], vertices)).collect();
             (all, bad)
         });
         corners.reserve(list.len() / 3);
@@ -111,11 +95,7 @@ fn plain_triangles(
             face_number += all.len() as u32;
         }
     }
-    Triangles {
-        corners,
-        faces,
-        polygonal: false,
-    }
+    Triangles { corners, faces, polygonal: false }
 }
 
 /// Whether a triangle encloses no area.
@@ -169,20 +149,13 @@ fn add_face(
     }
     let positions: Vec<Vec<DVec3>> = rings
         .iter()
-        .map(|ring| {
-            ring.iter()
-                .map(|&vertex| vertices[vertex as usize])
-                .collect()
-        })
+        .map(|ring| ring.iter().map(|&vertex| vertices[vertex as usize]).collect())
         .collect();
     match triangulate(&positions) {
         Ok(result) => {
             report.nonplanar_faces += usize::from(!result.is_planar);
             let corners = rings.concat();
-            result
-                .corners
-                .iter()
-                .for_each(|t| push(t.map(|i| corners[i as usize])));
+            result.corners.iter().for_each(|t| push(t.map(|i| corners[i as usize])));
         }
         Err(error) if error == TriangulationError::ZeroArea => report.zero_area_faces += 1,
         Err(_) => {

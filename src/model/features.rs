@@ -24,10 +24,7 @@ impl Default for FeatureOptions {
     /// All classes but `mesh`, creases from 30 degrees.
     fn default() -> Self {
         let classes = LineClass::ALL.map(|class| class != LineClass::Mesh);
-        FeatureOptions {
-            classes,
-            fold: FoldThreshold::from_degrees(30.0),
-        }
+        FeatureOptions { classes, fold: FoldThreshold::from_degrees(30.0) }
     }
 }
 
@@ -99,10 +96,7 @@ pub fn facing<P: Policy>(mesh: &Mesh, points: &Points, run: &Run) -> Vec<Sign> {
     let triangles = mesh.triangles();
     let parts = map_chunks(triangles.len(), PART, |part| {
         let predicates = Predicates::<P>::new(points);
-        let signs: Vec<Sign> = triangles[part]
-            .iter()
-            .map(|&t| predicates.facing(t))
-            .collect();
+        let signs: Vec<Sign> = triangles[part].iter().map(|&t| predicates.facing(t)).collect();
         (signs, predicates.counters())
     });
     let mut facing = Vec::with_capacity(triangles.len());
@@ -157,16 +151,10 @@ impl Features {
     ) {
         let sides = EdgeSides::of(mesh, facing, edge);
         if sides.left != sides.right {
-            self.effective.push(EffectiveEdge {
-                edge,
-                gain: sides.right - sides.left,
-            });
+            self.effective.push(EffectiveEdge { edge, gain: sides.right - sides.left });
         }
         if let Some(class) = class_of(mesh, predicates, &sides, options, edge) {
-            self.lines.push(FeatureLine {
-                origin: LineOrigin::Edge(edge),
-                class,
-            });
+            self.lines.push(FeatureLine { origin: LineOrigin::Edge(edge), class });
         }
     }
 
@@ -194,20 +182,12 @@ impl EdgeSides {
     fn of(mesh: &Mesh, facing: &[Sign], edge: u32) -> Self {
         let ends = mesh.edges().ends(edge);
         let triangles = mesh.edges().triangles(edge);
-        let mut sides = EdgeSides {
-            left: 0,
-            right: 0,
-            all: triangles.len() as i32,
-        };
+        let mut sides = EdgeSides { left: 0, right: 0, all: triangles.len() as i32 };
         for &triangle in triangles {
             // The third corner is left of an edge that the triangle runs
             // along if the triangle turns counter-clockwise.
             let turn = facing[triangle as usize];
-            let side = if mesh.runs_along(triangle, ends) {
-                turn
-            } else {
-                -turn
-            };
+            let side = if mesh.runs_along(triangle, ends) { turn } else { -turn };
             match side {
                 Sign::Positive => sides.left += 1,
                 Sign::Negative => sides.right += 1,

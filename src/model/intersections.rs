@@ -49,11 +49,7 @@ impl Intersections {
             tested: u64,
         }
         let parts = hierarchy.overlapping_pairs(
-            || Part {
-                predicates: Predicates::<P>::new(points),
-                lines: Vec::new(),
-                tested: 0,
-            },
+            || Part { predicates: Predicates::<P>::new(points), lines: Vec::new(), tested: 0 },
             |part, s, t| {
                 let pair = [s.min(t), s.max(t)];
                 if shared_corners(mesh, pair) < 2 {
@@ -69,9 +65,7 @@ impl Intersections {
             intersections.lines.extend(part.lines);
             tested += part.tested;
         }
-        intersections
-            .lines
-            .sort_unstable_by_key(|line| (line.triangles, line.carrier.ends));
+        intersections.lines.sort_unstable_by_key(|line| (line.triangles, line.carrier.ends));
         intersections.lines.dedup();
         run.count("triangle-pairs-tested", tested);
         run.count("intersection-segments", intersections.lines.len() as u64);
@@ -90,10 +84,7 @@ pub fn triangle_hierarchy(mesh: &Mesh, coordinates: &ViewCoordinates) -> Hierarc
 /// How many vertices two triangles have in common.
 fn shared_corners(mesh: &Mesh, [s, t]: [u32; 2]) -> usize {
     let other = mesh.triangles()[t as usize];
-    mesh.triangles()[s as usize]
-        .iter()
-        .filter(|corner| other.contains(corner))
-        .count()
+    mesh.triangles()[s as usize].iter().filter(|corner| other.contains(corner)).count()
 }
 
 /// The signs of the corners of `triangle` against the plane of `against`:
@@ -104,11 +95,7 @@ fn corner_signs<P: Policy>(
     against: [u32; 3],
 ) -> [Sign; 3] {
     triangle.map(|corner| {
-        if against.contains(&corner) {
-            Sign::Zero
-        } else {
-            predicates.plane(against, corner)
-        }
+        if against.contains(&corner) { Sign::Zero } else { predicates.plane(against, corner) }
     })
 }
 
@@ -135,20 +122,10 @@ fn ends(triangle: [u32; 3], signs: [Sign; 3], plane: [u32; 3]) -> [End; 2] {
         let (a, b) = (triangle[i], triangle[j]);
         if signs[i].is_zero() {
             // A straddling triangle has at most one corner on the plane.
-            found.push(End {
-                edge: [a, b],
-                point: Point::Vertex(a),
-            });
+            found.push(End { edge: [a, b], point: Point::Vertex(a) });
         } else if signs[i].is_opposite(signs[j]) {
-            let edge = if signs[i] == Sign::Negative {
-                [a, b]
-            } else {
-                [b, a]
-            };
-            found.push(End {
-                edge,
-                point: Point::Piercing(Piercing { edge, face: plane }),
-            });
+            let edge = if signs[i] == Sign::Negative { [a, b] } else { [b, a] };
+            found.push(End { edge, point: Point::Piercing(Piercing { edge, face: plane }) });
         }
     }
     [found[0], found[1]]
@@ -220,13 +197,8 @@ fn crossing<P: Policy>(
     }
     match found[..] {
         [first, second] => {
-            let carrier = Carrier {
-                ends: [first.point, second.point],
-            };
-            Some(IntersectionLine {
-                carrier,
-                triangles: pair,
-            })
+            let carrier = Carrier { ends: [first.point, second.point] };
+            Some(IntersectionLine { carrier, triangles: pair })
         }
         _ => None,
     }
@@ -265,19 +237,13 @@ fn add_edges_within<P: Policy>(
                 Sign::Zero => {}
             }
         }
-        let off_plane = |&&triangle: &&u32| {
-            !predicates
-                .plane(plane, mesh.third(triangle, [a, b]))
-                .is_zero()
-        };
+        let off_plane =
+            |&&triangle: &&u32| !predicates.plane(plane, mesh.third(triangle, [a, b])).is_zero();
         if others == [true, true]
             && triangles.iter().find(off_plane) == Some(&s)
             && let Some(carrier) = clip_to_triangle(predicates, [a.min(b), a.max(b)], c, plane)
         {
-            lines.push(IntersectionLine {
-                carrier,
-                triangles: [s, t],
-            });
+            lines.push(IntersectionLine { carrier, triangles: [s, t] });
         }
     }
 }
@@ -300,11 +266,7 @@ fn clip_to_triangle<P: Policy>(
         let wall = [x, y, apex];
         let inner = predicates.plane(wall, z);
         let sides = edge.map(|v| {
-            if wall.contains(&v) {
-                Sign::Zero
-            } else {
-                predicates.plane(wall, v) * inner
-            }
+            if wall.contains(&v) { Sign::Zero } else { predicates.plane(wall, v) * inner }
         });
         let cut = Cut::Face(wall);
         match sides {
@@ -346,7 +308,5 @@ fn clip_to_triangle<P: Policy>(
         }
         _ => Point::Vertex(vertex),
     };
-    Some(Carrier {
-        ends: [point(start, edge[0]), point(end, edge[1])],
-    })
+    Some(Carrier { ends: [point(start, edge[0]), point(end, edge[1])] })
 }

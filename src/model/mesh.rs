@@ -98,13 +98,8 @@ impl Mesh {
         });
         drop(positions);
         let vertex_numbers = file_numbers(&soups, &first_vertex, &welded.first_old);
-        let mut triangles = triangles_of(
-            &soups,
-            &first_vertex,
-            &welded.new_of_old,
-            &vertices,
-            &mut report,
-        );
+        let mut triangles =
+            triangles_of(&soups, &first_vertex, &welded.new_of_old, &vertices, &mut report);
         let mut edges = edges_of(&triangles.corners, vertices.len());
         if !triangles.polygonal && drop_duplicates(&mut triangles, &edges, &mut report) {
             edges = edges_of(&triangles.corners, vertices.len());
@@ -208,17 +203,13 @@ impl Mesh {
 
     /// The number of faces in the files, set aside or not.
     pub fn face_count(&self) -> usize {
-        self.objects
-            .last()
-            .map_or(0, |object| object.faces.end as usize)
+        self.objects.last().map_or(0, |object| object.faces.end as usize)
     }
 
     /// The face of a triangle, numbered through the scene.
     #[inline(always)]
     pub fn face_of(&self, triangle: u32) -> u32 {
-        self.faces
-            .as_ref()
-            .map_or(triangle, |faces| faces[triangle as usize])
+        self.faces.as_ref().map_or(triangle, |faces| faces[triangle as usize])
     }
 
     /// The colour that the file gives a face.
@@ -240,14 +231,12 @@ impl Mesh {
 
     /// The object of a vertex.
     pub fn object_of_vertex(&self, vertex: u32) -> u32 {
-        self.objects
-            .partition_point(|object| object.vertices.end <= vertex) as u32
+        self.objects.partition_point(|object| object.vertices.end <= vertex) as u32
     }
 
     /// The object of a triangle.
     pub fn object_of_triangle(&self, triangle: u32) -> u32 {
-        self.objects
-            .partition_point(|object| object.triangles.end <= triangle) as u32
+        self.objects.partition_point(|object| object.triangles.end <= triangle) as u32
     }
 
     /// The corner of `triangle` that is neither `a` nor `b`.
@@ -276,9 +265,7 @@ impl Mesh {
         let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
         map_chunks(self.vertices.len(), 1 << 16, |part| {
-            self.vertices[part]
-                .iter()
-                .fold(empty, |bounds, &p| join(bounds, (p, p)))
+            self.vertices[part].iter().fold(empty, |bounds, &p| join(bounds, (p, p)))
         })
         .into_iter()
         .fold(empty, join)
@@ -322,10 +309,7 @@ fn file_numbers(soups: &[Soup], first_vertex: &[u32], first_old: &[u32]) -> Vec<
         let old = first_old[new];
         let soup = first_vertex.partition_point(|&first| first <= old) - 1;
         let index = old - first_vertex[soup];
-        soups[soup]
-            .vertex_numbers
-            .as_ref()
-            .map_or(index, |numbers| numbers[index as usize])
+        soups[soup].vertex_numbers.as_ref().map_or(index, |numbers| numbers[index as usize])
     })
 }
 
@@ -334,11 +318,7 @@ fn file_numbers(soups: &[Soup], first_vertex: &[u32], first_old: &[u32]) -> Vec<
 fn drop_duplicates(triangles: &mut Triangles, edges: &Edges, report: &mut MeshReport) -> bool {
     let corners = &triangles.corners;
     let third = |triangle: u32, [a, b]: [u32; 2]| {
-        corners[triangle as usize]
-            .iter()
-            .copied()
-            .find(|&x| x != a && x != b)
-            .unwrap_or(a)
+        corners[triangle as usize].iter().copied().find(|&x| x != a && x != b).unwrap_or(a)
     };
     let parts = map_chunks(edges.len(), 1 << 14, |part| {
         let mut twins = Vec::new();
@@ -365,9 +345,6 @@ fn drop_duplicates(triangles: &mut Triangles, edges: &Edges, report: &mut MeshRe
     let faces = triangles.faces.take();
     let face = |&i: &u32| faces.as_ref().map_or(i, |faces| faces[i as usize]);
     triangles.faces = Some(kept.iter().map(face).collect());
-    triangles.corners = kept
-        .iter()
-        .map(|&i| triangles.corners[i as usize])
-        .collect();
+    triangles.corners = kept.iter().map(|&i| triangles.corners[i as usize]).collect();
     true
 }

@@ -41,19 +41,10 @@ impl Mesh {
             incident += edges.triangles(edge).len();
             let sorted = edge == 0 || edges.ends(edge - 1) < edges.ends(edge);
             ensure(sorted, format!("edge {edge} is out of order"))?;
-            let ascending = edges
-                .triangles(edge)
-                .windows(2)
-                .all(|pair| pair[0] < pair[1]);
-            ensure(
-                ascending,
-                format!("the triangles of edge {edge} are out of order"),
-            )?;
+            let ascending = edges.triangles(edge).windows(2).all(|pair| pair[0] < pair[1]);
+            ensure(ascending, format!("the triangles of edge {edge} are out of order"))?;
         }
-        ensure(
-            incident == sides,
-            format!("{sides} sides, but {incident} at edges"),
-        )?;
+        ensure(incident == sides, format!("{sides} sides, but {incident} at edges"))?;
         for (i, object) in self.objects().iter().enumerate().skip(1) {
             let previous = &self.objects()[i - 1];
             ensure(

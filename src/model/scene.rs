@@ -28,10 +28,7 @@ impl Scene {
     ///
     /// If there is nothing to draw or too much to number.
     pub fn new(soups: Vec<Soup>, options: &SceneOptions) -> Result<Self, MeshError> {
-        Ok(Scene {
-            mesh: Mesh::new(soups, options.weld)?,
-            unit: options.unit,
-        })
+        Ok(Scene { mesh: Mesh::new(soups, options.weld)?, unit: options.unit })
     }
 }
 

@@ -68,10 +68,7 @@ impl Faces {
     /// Triangles, three corners each.
     pub fn from_triangles(corners: Vec<u32>) -> Self {
         debug_assert!(corners.len().is_multiple_of(3));
-        Faces {
-            corners,
-            ..Self::default()
-        }
+        Faces { corners, ..Self::default() }
     }
 
     /// Appends a face: its outer ring, then its holes. Rings may have any
@@ -98,11 +95,7 @@ impl Faces {
 
     /// The number of faces.
     pub fn len(&self) -> usize {
-        if self.faces.is_empty() {
-            self.corners.len() / 3
-        } else {
-            self.faces.len()
-        }
+        if self.faces.is_empty() { self.corners.len() / 3 } else { self.faces.len() }
     }
 
     /// Whether there is no face.
@@ -147,11 +140,7 @@ impl Faces {
 
 /// Where item `index` begins in an array of ends.
 fn start_of(ends: &[u32], index: usize) -> usize {
-    if index == 0 {
-        0
-    } else {
-        ends[index - 1] as usize
-    }
+    if index == 0 { 0 } else { ends[index - 1] as usize }
 }
 
 /// One object of a file. Vertices are neither welded nor checked for use;

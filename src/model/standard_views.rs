@@ -31,21 +31,11 @@ const Z: [f64; 3] = [0.0, 0.0, 1.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
 
 const fn parallel(name: &'static str, towards: [f64; 3], up: [f64; 3]) -> StandardView {
-    StandardView {
-        name,
-        towards,
-        up,
-        recession: 0.0,
-    }
+    StandardView { name, towards, up, recession: 0.0 }
 }
 
 const fn oblique(name: &'static str, recession: f64) -> StandardView {
-    StandardView {
-        name,
-        towards: [recession, -1.0, recession],
-        up: Z,
-        recession,
-    }
+    StandardView { name, towards: [recession, -1.0, recession], up: Z, recession }
 }
 
 impl StandardView {
@@ -85,10 +75,7 @@ impl StandardView {
     /// The same view with another up vector.
     #[must_use]
     pub fn with_up(self, up: DVec3) -> Self {
-        StandardView {
-            up: up.to_array(),
-            ..self
-        }
+        StandardView { up: up.to_array(), ..self }
     }
 
     /// Whether the view has rays oblique to its picture plane; its up
@@ -100,25 +87,10 @@ impl StandardView {
     /// The view with the frame's origin at `target`.
     pub(super) fn view(&self, target: DVec3) -> Result<View, CameraError> {
         let towards = DVec3::from(self.towards);
-        let forward = if self.is_oblique() {
-            DVec3::Y
-        } else {
-            -towards
-        };
+        let forward = if self.is_oblique() { DVec3::Y } else { -towards };
         let shear = DVec2::splat(self.recession);
-        let frame = frame(
-            Projection::Orthographic,
-            target,
-            forward,
-            DVec3::from(self.up),
-            shear,
-        )?;
-        Ok(View {
-            eye: Eye::Towards(towards),
-            near: None,
-            frame,
-            half_height: None,
-        })
+        let frame = frame(Projection::Orthographic, target, forward, DVec3::from(self.up), shear)?;
+        Ok(View { eye: Eye::Towards(towards), near: None, frame, half_height: None })
     }
 }
 
@@ -134,11 +106,7 @@ mod tests {
             let moved = start + view.eye.coordinates() * 2.0;
             let shift = view.frame.image(moved) - view.frame.image(start);
             assert!(shift.length() < 1e-14, "{}: {shift}", named.name());
-            assert!(
-                view.frame.depth(moved) < view.frame.depth(start),
-                "{}",
-                named.name()
-            );
+            assert!(view.frame.depth(moved) < view.frame.depth(start), "{}", named.name());
         }
         Ok(())
     }

@@ -41,11 +41,7 @@ impl ViewCoordinates {
         // The subtraction of the origin errs relative to its result; the
         // rest relative to the largest offset.
         let error = RELATIVE_ERROR * farthest.max(f64::MIN_POSITIVE) + f64::MIN_POSITIVE;
-        let error = if largest.is_finite() {
-            error
-        } else {
-            f64::INFINITY
-        };
+        let error = if largest.is_finite() { error } else { f64::INFINITY };
         let mut coordinates = ViewCoordinates {
             frame: *frame,
             points,
@@ -61,8 +57,7 @@ impl ViewCoordinates {
         let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
         let (low, high) = map_chunks(self.points.len(), 1 << 16, |part| {
-            part.filter_map(|i| self.interval(i as u32))
-                .fold(empty, join)
+            part.filter_map(|i| self.interval(i as u32)).fold(empty, join)
         })
         .into_iter()
         .fold(empty, join);
@@ -157,10 +152,7 @@ impl ViewCoordinates {
         if vertices.iter().all(|&vertex| self.is_behind(vertex)) {
             return Bounds::EMPTY;
         }
-        let deepest = vertices
-            .iter()
-            .map(|&v| self.points[v as usize].z)
-            .fold(0.0, f64::max);
+        let deepest = vertices.iter().map(|&v| self.points[v as usize].z).fold(0.0, f64::max);
         let mut bounds = Bounds::ALL;
         bounds.high[2] = self.rounding.up(2, deepest, self.error);
         bounds
@@ -172,10 +164,7 @@ impl ViewCoordinates {
         let bounds = self.bounds(ends);
         let [start, end] = ends.map(|vertex| {
             let (image, _) = self.project(self.points[vertex as usize]);
-            [
-                self.rounding.nearest(0, image.x),
-                self.rounding.nearest(1, image.y),
-            ]
+            [self.rounding.nearest(0, image.x), self.rounding.nearest(1, image.y)]
         });
         if bounds.low[0] == f32::NEG_INFINITY {
             // Crosses the plane of the eye: its ends have no images.

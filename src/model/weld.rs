@@ -89,11 +89,7 @@ fn deal(positions: &[DVec3], starts: &[u32], part: std::ops::Range<usize>, shift
 
 impl Dealt {
     fn bucket(&self, bucket: usize) -> &[u32] {
-        let start = if bucket == 0 {
-            0
-        } else {
-            self.ends[bucket - 1] as usize
-        };
+        let start = if bucket == 0 { 0 } else { self.ends[bucket - 1] as usize };
         &self.vertices[start..self.ends[bucket] as usize]
     }
 }
@@ -103,20 +99,12 @@ impl Dealt {
 pub(super) fn weld(positions: &[DVec3], starts: &[u32]) -> Welded {
     let count = positions.len();
     // At most 2^16 buckets, so that a bucket number fits 16 bits.
-    let bits = (count / BUCKET)
-        .max(1)
-        .next_power_of_two()
-        .trailing_zeros()
-        .min(16);
+    let bits = (count / BUCKET).max(1).next_power_of_two().trailing_zeros().min(16);
     let shift = 64 - bits;
     let parts = map_chunks(count, PART, |part| deal(positions, starts, part, shift));
     let firsts: Vec<AtomicU32> = map_indexed(count, |_| AtomicU32::new(0));
     map_indexed(1 << bits, |bucket| {
-        let vertices = || {
-            parts
-                .iter()
-                .flat_map(|part| part.bucket(bucket).iter().copied())
-        };
+        let vertices = || parts.iter().flat_map(|part| part.bucket(bucket).iter().copied());
         weld_bucket(positions, starts, vertices, &firsts);
     });
     number(firsts.into_iter().map(AtomicU32::into_inner).collect())
@@ -167,10 +155,7 @@ fn number(mut firsts: Vec<u32>) -> Welded {
             firsts[first]
         };
     }
-    Welded {
-        new_of_old: firsts,
-        first_old,
-    }
+    Welded { new_of_old: firsts, first_old }
 }
 
 /// Merges each vertex with the first earlier representative of its object

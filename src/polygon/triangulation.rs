@@ -92,10 +92,7 @@ pub fn triangulate(rings: &[Vec<DVec3>]) -> Result<Triangles, TriangulationError
         let predicates = Predicates::new(&points);
         if let ([_], Some(fan)) = (rings, fan(&predicates, outer.clone())) {
             let is_planar = is_planar(&predicates, fan[0]);
-            return Ok(Triangles {
-                corners: fan,
-                is_planar,
-            });
+            return Ok(Triangles { corners: fan, is_planar });
         }
         let turn = predicates.turn(outer.clone());
         if turn.is_zero() {
@@ -105,10 +102,7 @@ pub fn triangulate(rings: &[Vec<DVec3>]) -> Result<Triangles, TriangulationError
         let triangles = plane.triangulate(rings, turn)?;
         let first = triangles.first().ok_or(TriangulationError::ZeroArea)?;
         let is_planar = is_planar(&predicates, *first);
-        return Ok(Triangles {
-            corners: triangles,
-            is_planar,
-        });
+        return Ok(Triangles { corners: triangles, is_planar });
     }
     Err(TriangulationError::ZeroArea)
 }
@@ -118,15 +112,9 @@ pub fn triangulate(rings: &[Vec<DVec3>]) -> Result<Triangles, TriangulationError
 pub fn rings_of(polygon: &geo::Polygon<f64>) -> Vec<Vec<DVec3>> {
     let open = |ring: &geo::LineString<f64>| -> Vec<DVec3> {
         let corners = ring.0.len() - usize::from(ring.is_closed() && ring.0.len() > 1);
-        ring.0[..corners]
-            .iter()
-            .map(|corner| DVec3::new(corner.x, corner.y, 0.0))
-            .collect()
+        ring.0[..corners].iter().map(|corner| DVec3::new(corner.x, corner.y, 0.0)).collect()
     };
-    std::iter::once(polygon.exterior())
-        .chain(polygon.interiors())
-        .map(open)
-        .collect()
+    std::iter::once(polygon.exterior()).chain(polygon.interiors()).map(open).collect()
 }
 
 /// Refuses what has no corners or no position.
@@ -148,10 +136,7 @@ fn check(rings: &[Vec<DVec3>]) -> Result<(), TriangulationError> {
 /// The axes by the size of the ring's projection along them, largest
 /// first. Rounded, which is good enough for a preference.
 fn axes_by_area(ring: &[DVec3]) -> [usize; 3] {
-    let largest = ring
-        .iter()
-        .map(|corner| corner.abs().max_element())
-        .fold(0.0, f64::max);
+    let largest = ring.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
     let scale = if largest > 0.0 { largest } else { 1.0 };
     let first = ring[0] / scale;
     let mut normal = DVec3::ZERO;
@@ -201,25 +186,18 @@ impl Plane {
         let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
         let values = || corners.iter().flat_map(|corner| [corner[x], corner[y]]);
         let exponents = values().filter(|value| *value != 0.0).map(exponent_of);
-        let (least, largest) = exponents.fold((i32::MAX, i32::MIN), |(low, high), e| {
-            (low.min(e), high.max(e))
-        });
+        let (least, largest) =
+            exponents.fold((i32::MAX, i32::MIN), |(low, high), e| (low.min(e), high.max(e)));
         // As it is where it fits; else as large as it may become.
         let fits = LEAST_EXPONENT <= least && largest <= LARGEST_EXPONENT;
-        let shift = if fits || largest < least {
-            0
-        } else {
-            LARGEST_EXPONENT - largest
-        };
+        let shift = if fits || largest < least { 0 } else { LARGEST_EXPONENT - largest };
         if largest >= least && least + shift < LEAST_EXPONENT {
             return Err(TriangulationError::TooWide);
         }
         let half = shift / 2;
         let scale = |value: f64| value * f64::powi(2.0, half) * f64::powi(2.0, shift - half);
-        let positions = corners
-            .iter()
-            .map(|corner| Point2::new(scale(corner[x]), scale(corner[y])))
-            .collect();
+        let positions =
+            corners.iter().map(|corner| Point2::new(scale(corner[x]), scale(corner[y]))).collect();
         Ok(Plane { positions })
     }
 
@@ -246,9 +224,7 @@ impl Plane {
         }
         let mut triangles = net.inside();
         if turn == Sign::Negative {
-            triangles
-                .iter_mut()
-                .for_each(|triangle| triangle.swap(1, 2));
+            triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
         Ok(triangles)
     }
@@ -258,11 +234,7 @@ impl Plane {
 fn exponent_of(value: f64) -> i32 {
     let bits = value.to_bits() & !(1 << 63);
     let field = (bits >> 52) as i32;
-    if field == 0 {
-        -1011 - bits.leading_zeros() as i32
-    } else {
-        field - 1023
-    }
+    if field == 0 { -1011 - bits.leading_zeros() as i32 } else { field - 1023 }
 }
 
 /// The triangulation of the plane under construction.
@@ -283,10 +255,8 @@ impl Net {
         corner: u32,
         ring: usize,
     ) -> Result<FixedVertexHandle, TriangulationError> {
-        let vertex = self
-            .triangulation
-            .insert(position)
-            .map_err(|_| TriangulationError::TooWide)?;
+        let vertex =
+            self.triangulation.insert(position).map_err(|_| TriangulationError::TooWide)?;
         match self.visits.get_mut(vertex.index()) {
             None => self.visits.push((corner, ring)),
             Some((_, last)) if *last == ring => {
@@ -330,11 +300,7 @@ impl Net {
         let outside = self.triangulation.outer_face().fix();
         let mut parity = vec![None; self.triangulation.num_all_faces()];
         parity[outside.index()] = Some(false);
-        let mut waiting: Vec<_> = self
-            .triangulation
-            .convex_hull()
-            .map(|edge| edge.fix())
-            .collect();
+        let mut waiting: Vec<_> = self.triangulation.convex_hull().map(|edge| edge.fix()).collect();
         // Each entry is an edge whose left face is known; its twin's is next.
         while let Some(fixed) = waiting.pop() {
             let edge = self.triangulation.directed_edge(fixed);

@@ -23,24 +23,15 @@ pub fn map_chunks<T: Send>(
     work: impl Fn(std::ops::Range<usize>) -> T + Sync + Send,
 ) -> Vec<T> {
     let size = size.max(1);
-    map_indexed(count.div_ceil(size), |chunk| {
-        work(chunk * size..((chunk + 1) * size).min(count))
-    })
+    map_indexed(count.div_ceil(size), |chunk| work(chunk * size..((chunk + 1) * size).min(count)))
 }
 
 /// Overwrites each `target[i]` with `work(i)`.
 pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync + Send) {
     #[cfg(feature = "parallel")]
-    target
-        .par_iter_mut()
-        .enumerate()
-        .with_min_len(1024)
-        .for_each(|(i, slot)| *slot = work(i));
+    target.par_iter_mut().enumerate().with_min_len(1024).for_each(|(i, slot)| *slot = work(i));
     #[cfg(not(feature = "parallel"))]
-    target
-        .iter_mut()
-        .enumerate()
-        .for_each(|(i, slot)| *slot = work(i));
+    target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
 }
 
 /// Stable sort.

@@ -115,17 +115,11 @@ impl<'a> Run<'a> {
 
     /// A copy of the counters so far.
     pub fn counters(&self) -> Counters {
-        self.counters
-            .lock()
-            .map(|own| own.clone())
-            .unwrap_or_default()
+        self.counters.lock().map(|own| own.clone()).unwrap_or_default()
     }
 
     /// The stages so far, in the order in which they ended.
     pub fn times(&self) -> Vec<StageTime> {
-        self.times
-            .lock()
-            .map(|times| times.clone())
-            .unwrap_or_default()
+        self.times.lock().map(|times| times.clone()).unwrap_or_default()
     }
 }

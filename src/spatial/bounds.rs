@@ -14,16 +14,10 @@ pub struct Bounds {
 
 impl Bounds {
     /// Contains nothing.
-    pub const EMPTY: Bounds = Bounds {
-        low: [f32::INFINITY; 3],
-        high: [f32::NEG_INFINITY; 3],
-    };
+    pub const EMPTY: Bounds = Bounds { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
     /// Contains everything.
-    pub const ALL: Bounds = Bounds {
-        low: [f32::NEG_INFINITY; 3],
-        high: [f32::INFINITY; 3],
-    };
+    pub const ALL: Bounds = Bounds { low: [f32::NEG_INFINITY; 3], high: [f32::INFINITY; 3] };
 
     /// The smallest box around both.
     #[inline(always)]
@@ -78,22 +72,13 @@ pub struct Rounding {
 impl Rounding {
     /// A rounding for coordinates in these ranges.
     pub fn for_ranges(ranges: [Range<f64>; 3]) -> Self {
-        let centre = ranges
-            .clone()
-            .map(|range| range.start * 0.5 + range.end * 0.5);
+        let centre = ranges.clone().map(|range| range.start * 0.5 + range.end * 0.5);
         let scale = ranges.map(|range| {
             let half = (range.end * 0.5 - range.start * 0.5).abs();
-            if half > 0.0 && half.is_finite() {
-                1.0 / half.max(f64::MIN_POSITIVE)
-            } else {
-                1.0
-            }
+            if half > 0.0 && half.is_finite() { 1.0 / half.max(f64::MIN_POSITIVE) } else { 1.0 }
         });
         // A scale may overflow for subnormal ranges; 1 is as good then.
-        Rounding {
-            centre,
-            scale: scale.map(|s| if s.is_finite() { s } else { 1.0 }),
-        }
+        Rounding { centre, scale: scale.map(|s| if s.is_finite() { s } else { 1.0 }) }
     }
 
     /// A narrow float not above `value - slack` along `axis`.

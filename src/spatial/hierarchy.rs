@@ -216,12 +216,7 @@ impl SegmentProbe {
         // normal), each product and sum rounds once more. Unbounded
         // segments make this infinite or NaN, and then only the box counts.
         let slack = (normal[0].abs() + normal[1].abs()) * 4e-6 + 2e-6;
-        SegmentProbe {
-            bounds,
-            start,
-            normal,
-            slack,
-        }
+        SegmentProbe { bounds, start, normal, slack }
     }
 
     /// The outward-rounded box of the segment.
@@ -248,14 +243,7 @@ mod tests {
 
     fn boxes(count: usize) -> impl Strategy<Value = Vec<Bounds>> {
         let coordinate = || (-8..8_i32).prop_map(|x| x as f32 / 8.0);
-        let one = (
-            coordinate(),
-            coordinate(),
-            coordinate(),
-            0..4_i32,
-            0..4_i32,
-            0..4_i32,
-        );
+        let one = (coordinate(), coordinate(), coordinate(), 0..4_i32, 0..4_i32, 0..4_i32);
         prop::collection::vec(one, 0..count).prop_map(|list| {
             let extent = |x: i32| x as f32 / 8.0;
             list.into_iter()

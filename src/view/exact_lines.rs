@@ -49,11 +49,7 @@ impl ExactLines {
 
     /// The pieces of line `line`.
     pub fn line(&self, line: usize) -> &[ExactPiece] {
-        let start = if line == 0 {
-            0
-        } else {
-            self.ends[line - 1] as usize
-        };
+        let start = if line == 0 { 0 } else { self.ends[line - 1] as usize };
         &self.pieces[start..self.ends[line] as usize]
     }
 

@@ -51,9 +51,8 @@ impl<'m> PreparedView<'m> {
             (facing, features)
         });
         run.check()?;
-        let hierarchy = run.stage("hierarchy", triangles, || {
-            triangle_hierarchy(mesh, &coordinates)
-        });
+        let hierarchy =
+            run.stage("hierarchy", triangles, || triangle_hierarchy(mesh, &coordinates));
         run.check()?;
         let mut intersections = Intersections::default();
         if options.wants(LineClass::Intersection) {

@@ -16,13 +16,7 @@ pub(crate) fn cube() -> VisibleLines {
         // The lower left corner of the back is behind the front.
         let hidden = u32::from(i == 0 || i == 3);
         add(&mut pieces, LineClass::Crease, hidden, back[i], back[next]);
-        add(
-            &mut pieces,
-            LineClass::Crease,
-            u32::from(i == 0),
-            front[i],
-            back[i],
-        );
+        add(&mut pieces, LineClass::Crease, u32::from(i == 0), front[i], back[i]);
     }
     let label = &mut pieces[0];
     label.class = LineClass::Intersection;

@@ -7,9 +7,7 @@ use umriss::drawing::{Drawing, DrawingOptions, Hidden, LayerBy, Paper};
 use umriss::export::{SvgOptions, to_hpgl, to_json, to_svg};
 
 fn compare(name: &str, bytes: &[u8]) {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/export/golden")
-        .join(name);
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/export/golden").join(name);
     if std::env::var_os("UMRISS_BLESS").is_some() {
         std::fs::write(&path, bytes).unwrap();
     }
@@ -29,36 +27,20 @@ fn draw(layer_by: LayerBy) -> Drawing {
 
 #[test]
 fn svg_by_visibility() {
-    let options = SvgOptions {
-        command: Some("umriss draw a&b.obj -o <c>.svg".into()),
-        precision: 3,
-    };
-    compare(
-        "visibility.svg",
-        to_svg(&draw(LayerBy::Visibility), &options)
-            .unwrap()
-            .as_bytes(),
-    );
+    let options =
+        SvgOptions { command: Some("umriss draw a&b.obj -o <c>.svg".into()), precision: 3 };
+    compare("visibility.svg", to_svg(&draw(LayerBy::Visibility), &options).unwrap().as_bytes());
 }
 
 #[test]
 fn svg_by_object() {
-    let options = SvgOptions {
-        precision: 1,
-        ..SvgOptions::default()
-    };
-    compare(
-        "object.svg",
-        to_svg(&draw(LayerBy::Object), &options).unwrap().as_bytes(),
-    );
+    let options = SvgOptions { precision: 1, ..SvgOptions::default() };
+    compare("object.svg", to_svg(&draw(LayerBy::Object), &options).unwrap().as_bytes());
 }
 
 #[test]
 fn hpgl_by_class() {
-    compare(
-        "class.hpgl",
-        to_hpgl(&draw(LayerBy::Class)).unwrap().as_bytes(),
-    );
+    compare("class.hpgl", to_hpgl(&draw(LayerBy::Class)).unwrap().as_bytes());
 }
 
 #[test]

@@ -16,9 +16,7 @@ fn plot(text: &str, limit: [i64; 2]) -> Result<Plot, String> {
     let mut pen = None;
     let mut at: Option<[i64; 2]> = None;
     let body = text.strip_prefix("IN;\n").ok_or("does not begin with IN")?;
-    let body = body
-        .strip_suffix("PU;\nSP0;\n")
-        .ok_or("does not end with PU and SP0")?;
+    let body = body.strip_suffix("PU;\nSP0;\n").ok_or("does not end with PU and SP0")?;
     for line in body.lines() {
         if 240 < line.len() {
             return Err(format!("an instruction of {} characters", line.len()));
@@ -66,65 +64,34 @@ fn integer(text: &str) -> Result<i64, String> {
 
 fn drawing(size: DVec2, strokes: &[Vec<DVec2>], number: u32) -> Drawing {
     let mut all = Strokes::default();
-    strokes
-        .iter()
-        .for_each(|stroke| all.push(stroke.iter().copied()));
-    let style = LineStyle {
-        width: 0.5,
-        color: Color([0; 3]),
-    };
-    let layer = Layer {
-        number,
-        label: format!("{number}-test"),
-        style,
-        strokes: all,
-    };
-    Drawing {
-        size,
-        scale: 1.0,
-        layers: vec![layer],
-    }
+    strokes.iter().for_each(|stroke| all.push(stroke.iter().copied()));
+    let style = LineStyle { width: 0.5, color: Color([0; 3]) };
+    let layer = Layer { number, label: format!("{number}-test"), style, strokes: all };
+    Drawing { size, scale: 1.0, layers: vec![layer] }
 }
 
 #[test]
 fn pens_follow_the_layers_and_begin_again_after_the_eighth() {
-    let options = DrawingOptions {
-        hidden: Hidden::Solid,
-        ..DrawingOptions::default()
-    };
+    let options = DrawingOptions { hidden: Hidden::Solid, ..DrawingOptions::default() };
     let text = to_hpgl(&Drawing::new(&cube(), &options).unwrap()).unwrap();
-    let pens: Vec<u32> = plot(&text, [8400, 11880])
-        .unwrap()
-        .iter()
-        .map(|s| s.0)
-        .collect();
+    let pens: Vec<u32> = plot(&text, [8400, 11880]).unwrap().iter().map(|s| s.0).collect();
     assert!(pens.is_sorted_by_key(|pen| std::cmp::Reverse(*pen)) && pens.contains(&2));
     let ninth = drawing(DVec2::splat(9.0), &[vec![DVec2::ZERO, DVec2::ONE]], 9);
-    assert!(
-        to_hpgl(&ninth)
-            .unwrap()
-            .starts_with("IN;\nSP1;\nPU0,360;\nPD40,320;\n")
-    );
+    assert!(to_hpgl(&ninth).unwrap().starts_with("IN;\nSP1;\nPU0,360;\nPD40,320;\n"));
 }
 
 #[test]
 fn a_page_beyond_16_bits_is_refused_with_its_numbers() {
     let a1 = drawing(DVec2::new(841.0, 594.0), &[], 1);
     let message = to_hpgl(&a1).unwrap_err().to_string();
-    assert!(
-        message.contains("33640") && message.contains("32767"),
-        "{message}"
-    );
+    assert!(message.contains("33640") && message.contains("32767"), "{message}");
 }
 
 #[test]
 fn a_stroke_that_leaves_the_page_is_refused() {
     let stroke = vec![DVec2::ONE, DVec2::new(9.1, 1.0)];
     let outside = to_hpgl(&drawing(DVec2::splat(9.0), &[stroke], 1));
-    assert!(matches!(
-        outside,
-        Err(ExportError::OutsidePage { x: 9.1, .. })
-    ));
+    assert!(matches!(outside, Err(ExportError::OutsidePage { x: 9.1, .. })));
 }
 
 proptest! {

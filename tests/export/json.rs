@@ -17,10 +17,7 @@ fn message(text: &str) -> String {
 
 #[test]
 fn unknown_keys_are_passed_over() {
-    let text = text().replace(
-        "\"frame\":{",
-        "\"halo\":{\"width\":[1]},\"frame\":{\"tilt\":null,",
-    );
+    let text = text().replace("\"frame\":{", "\"halo\":{\"width\":[1]},\"frame\":{\"tilt\":null,");
     let text = text.replace("\"class\":", "\"pen\":7,\"class\":");
     assert_eq!(read_drawing(text.as_bytes()).unwrap(), cube());
 }
@@ -44,24 +41,14 @@ fn a_drawing_of_the_bare_format_is_read() {
 #[test]
 fn what_is_malformed_is_named() {
     let good = text();
-    assert!(
-        message(&good[..100]).starts_with("line 2, column"),
-        "{}",
-        message(&good[..100])
-    );
+    assert!(message(&good[..100]).starts_with("line 2, column"), "{}", message(&good[..100]));
     assert!(message("[1]").contains("line 1"));
     let other = message(&good.replace("drawing/1", "drawing/2"));
     assert!(other.contains("umriss-drawing/2") && other.contains("umriss-drawing/1"));
     let missing = message(&good.replace("\"depth\"", "\"deep\""));
-    assert!(
-        missing.contains("line 5") && missing.contains("depth"),
-        "{missing}"
-    );
+    assert!(missing.contains("line 5") && missing.contains("depth"), "{missing}");
     let class = message(&good.replacen("\"crease\"", "\"fold\"", 1));
-    assert!(
-        class.contains("line 1 of the drawing") && class.contains("contour"),
-        "{class}"
-    );
+    assert!(class.contains("line 1 of the drawing") && class.contains("contour"), "{class}");
     let kind = message(&good.replace("orthographic", "fisheye"));
     assert!(kind.contains("fisheye"));
     let seen = message(&good.replacen("\"invisibility\":0", "\"invisibility\":3", 1));
@@ -74,10 +61,7 @@ fn what_is_malformed_is_named() {
 fn what_is_not_finite_is_refused() {
     let mut lines = cube();
     lines.pieces[3].depth[1] = f64::NAN;
-    assert!(matches!(
-        to_json(&lines),
-        Err(ExportError::NotFinite { line: 3 })
-    ));
+    assert!(matches!(to_json(&lines), Err(ExportError::NotFinite { line: 3 })));
     lines = cube();
     lines.frame.origin.x = f64::INFINITY;
     assert!(matches!(to_json(&lines), Err(ExportError::NotFiniteFrame)));
@@ -92,11 +76,7 @@ fn number() -> impl Strategy<Value = f64> {
 
 fn any_piece() -> impl Strategy<Value = LinePiece> {
     let source = (any::<bool>(), any::<[u32; 2]>()).prop_map(|(edge, numbers)| {
-        if edge {
-            LineSource::Edge(numbers)
-        } else {
-            LineSource::Faces(numbers)
-        }
+        if edge { LineSource::Edge(numbers) } else { LineSource::Faces(numbers) }
     });
     let numbers = [number(), number(), number(), number(), number(), number()];
     (0..7usize, 0u32..3, numbers, 0u32..3, source, any::<u32>()).prop_map(

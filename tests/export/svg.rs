@@ -8,11 +8,7 @@ use umriss::export::{ExportError, SvgOptions, to_png, to_svg};
 const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 fn dashed(layer_by: LayerBy) -> Drawing {
-    let options = DrawingOptions {
-        hidden: Hidden::Dashed,
-        layer_by,
-        ..DrawingOptions::default()
-    };
+    let options = DrawingOptions { hidden: Hidden::Dashed, layer_by, ..DrawingOptions::default() };
     Drawing::new(&cube(), &options).unwrap()
 }
 
@@ -23,14 +19,8 @@ fn layers_are_top_level_groups_in_the_order_of_painting() {
     let root = document.root_element();
     assert_eq!(root.attribute("width"), Some("210mm"));
     assert_eq!(root.attribute("viewBox"), Some("0 0 210 297"));
-    let groups: Vec<_> = root
-        .children()
-        .filter(|node| node.has_tag_name("g"))
-        .collect();
-    let labels: Vec<_> = groups
-        .iter()
-        .map(|group| group.attribute((INKSCAPE, "label")))
-        .collect();
+    let groups: Vec<_> = root.children().filter(|node| node.has_tag_name("g")).collect();
+    let labels: Vec<_> = groups.iter().map(|group| group.attribute((INKSCAPE, "label"))).collect();
     assert_eq!(labels, [Some("2-hidden"), Some("1-visible")]);
     for group in &groups {
         assert_eq!(group.attribute((INKSCAPE, "groupmode")), Some("layer"));
@@ -46,58 +36,25 @@ fn layers_are_top_level_groups_in_the_order_of_painting() {
 fn names_that_are_no_xml_are_made_so() {
     let mut lines = cube();
     lines.objects[0] = "a\"'<&>\u{1}\u{ffff}z".into();
-    let options = DrawingOptions {
-        layer_by: LayerBy::Object,
-        ..DrawingOptions::default()
-    };
+    let options = DrawingOptions { layer_by: LayerBy::Object, ..DrawingOptions::default() };
     let drawing = Drawing::new(&lines, &options).unwrap();
     let command = Some("umriss --view \u{1b}<iso>".to_owned());
-    let text = to_svg(
-        &drawing,
-        &SvgOptions {
-            command,
-            ..SvgOptions::default()
-        },
-    )
-    .unwrap();
+    let text = to_svg(&drawing, &SvgOptions { command, ..SvgOptions::default() }).unwrap();
     let document = Document::parse(&text).unwrap();
-    let group = document
-        .descendants()
-        .find(|node| node.has_tag_name("g"))
-        .unwrap();
-    assert_eq!(
-        group.attribute((INKSCAPE, "label")),
-        Some("1-a\"'<&>\u{fffd}\u{fffd}z")
-    );
-    let source = document
-        .descendants()
-        .find(|node| node.tag_name().name() == "source")
-        .unwrap();
+    let group = document.descendants().find(|node| node.has_tag_name("g")).unwrap();
+    assert_eq!(group.attribute((INKSCAPE, "label")), Some("1-a\"'<&>\u{fffd}\u{fffd}z"));
+    let source = document.descendants().find(|node| node.tag_name().name() == "source").unwrap();
     assert_eq!(source.text(), Some("umriss --view \u{fffd}<iso>"));
 }
 
 #[test]
 fn precision_is_a_number_of_decimals() {
     let drawing = dashed(LayerBy::Visibility);
-    let write = |precision| {
-        to_svg(
-            &drawing,
-            &SvgOptions {
-                precision,
-                command: None,
-            },
-        )
-    };
+    let write = |precision| to_svg(&drawing, &SvgOptions { precision, command: None });
     assert!(matches!(write(10), Err(ExportError::Precision(10))));
     assert!(write(9).unwrap().len() > write(1).unwrap().len());
     let whole = write(0).unwrap();
-    let data = whole
-        .split("d=\"")
-        .nth(1)
-        .unwrap()
-        .split('"')
-        .next()
-        .unwrap();
+    let data = whole.split("d=\"").nth(1).unwrap().split('"').next().unwrap();
     assert!(!data.contains('.'));
 }
 
@@ -107,14 +64,8 @@ fn a_preview_is_dark_on_white_and_of_the_size_asked_for() {
     let png = to_png(&text, 420).unwrap();
     let picture = header_size(&png);
     assert_eq!(picture, (420, 594));
-    assert!(matches!(
-        to_png(&text, 0),
-        Err(ExportError::PictureSize { width: 0, .. })
-    ));
-    assert!(matches!(
-        to_png(&text, 40_000),
-        Err(ExportError::PictureSize { .. })
-    ));
+    assert!(matches!(to_png(&text, 0), Err(ExportError::PictureSize { width: 0, .. })));
+    assert!(matches!(to_png(&text, 40_000), Err(ExportError::PictureSize { .. })));
     assert!(matches!(to_png("<svg", 10), Err(ExportError::Picture(_))));
 }
 

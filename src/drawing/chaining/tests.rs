@@ -22,10 +22,7 @@ fn key(a: DVec2, b: DVec2) -> [[u64; 2]; 2] {
 
 /// A stroke without direction, and without beginning where it is closed.
 fn shape(stroke: &[DVec2]) -> Vec<[[u64; 2]; 2]> {
-    let mut edges: Vec<_> = stroke
-        .windows(2)
-        .map(|pair| key(pair[0], pair[1]))
-        .collect();
+    let mut edges: Vec<_> = stroke.windows(2).map(|pair| key(pair[0], pair[1])).collect();
     edges.sort_unstable();
     edges
 }
@@ -48,30 +45,16 @@ fn a_square_in_any_order_is_one_closed_stroke() {
 
 #[test]
 fn a_stroke_begins_at_its_end_and_keeps_the_sense_of_its_first_segment() {
-    let segments = [
-        [at(1, 0), at(2, 1)],
-        [at(1, 0), at(0, 5)],
-        [at(3, 3), at(2, 1)],
-    ];
-    assert_eq!(
-        strokes(&segments),
-        [vec![at(0, 5), at(1, 0), at(2, 1), at(3, 3)]]
-    );
+    let segments = [[at(1, 0), at(2, 1)], [at(1, 0), at(0, 5)], [at(3, 3), at(2, 1)]];
+    assert_eq!(strokes(&segments), [vec![at(0, 5), at(1, 0), at(2, 1), at(3, 3)]]);
 }
 
 #[test]
 fn a_crossing_is_passed_straight() {
     let middle = at(0, 0);
-    let segments = [
-        [at(-1, 0), middle],
-        [at(0, -1), middle],
-        [middle, at(1, 0)],
-        [middle, at(0, 1)],
-    ];
-    let expected = [
-        vec![at(-1, 0), middle, at(1, 0)],
-        vec![at(0, -1), middle, at(0, 1)],
-    ];
+    let segments =
+        [[at(-1, 0), middle], [at(0, -1), middle], [middle, at(1, 0)], [middle, at(0, 1)]];
+    let expected = [vec![at(-1, 0), middle, at(1, 0)], vec![at(0, -1), middle, at(0, 1)]];
     assert_eq!(strokes(&segments), expected);
 }
 

@@ -9,10 +9,7 @@ const WIDTH: f64 = 1.0;
 fn dashes(stroke: &[DVec2]) -> Vec<Vec<DVec2>> {
     let mut strokes = Strokes::default();
     strokes.push(stroke.iter().copied());
-    dashed(&strokes, WIDTH)
-        .iter()
-        .map(<[DVec2]>::to_vec)
-        .collect()
+    dashed(&strokes, WIDTH).iter().map(<[DVec2]>::to_vec).collect()
 }
 
 fn x(x: f64) -> DVec2 {
@@ -32,19 +29,13 @@ fn agree(dashes: &[Vec<DVec2>], expected: &[&[DVec2]]) -> bool {
 #[test]
 fn a_line_of_nominal_length_has_nominal_dashes() {
     let expected = [[x(0.0), x(12.0)], [x(15.0), x(27.0)], [x(30.0), x(42.0)]];
-    assert!(agree(
-        &dashes(&[x(0.0), x(42.0)]),
-        &expected.each_ref().map(|dash| &dash[..])
-    ));
+    assert!(agree(&dashes(&[x(0.0), x(42.0)]), &expected.each_ref().map(|dash| &dash[..])));
 }
 
 #[test]
 fn dashes_and_gaps_are_stretched_alike() {
     let expected = [[x(0.0), x(14.0)], [x(17.5), x(31.5)]];
-    assert!(agree(
-        &dashes(&[x(0.0), x(31.5)]),
-        &expected.each_ref().map(|dash| &dash[..])
-    ));
+    assert!(agree(&dashes(&[x(0.0), x(31.5)]), &expected.each_ref().map(|dash| &dash[..])));
 }
 
 #[test]
@@ -59,39 +50,23 @@ fn a_corner_is_drawn_by_one_bent_dash() {
     let dashes = dashes(&[x(0.0), corner, end]);
     assert_eq!(dashes.len(), 4);
     let bent = [x(30.0), corner, DVec2::new(42.0, 12.0)];
-    assert!(agree(
-        &dashes[2..],
-        &[&bent, &[DVec2::new(42.0, 15.0), end]]
-    ));
+    assert!(agree(&dashes[2..], &[&bent, &[DVec2::new(42.0, 15.0), end]]));
 }
 
 #[test]
 fn a_zigzag_finer_than_the_dashes_is_still_dashed() {
-    let zigzag: Vec<_> = (0..100)
-        .map(|i| DVec2::new(f64::from(i), f64::from(i % 2)))
-        .collect();
+    let zigzag: Vec<_> = (0..100).map(|i| DVec2::new(f64::from(i), f64::from(i % 2))).collect();
     assert!(5 < dashes(&zigzag).len());
 }
 
 #[test]
 fn a_closed_box_begins_at_a_corner_wherever_its_stroke_began() {
-    let box_from = |start: DVec2| {
-        [
-            start,
-            x(60.0),
-            DVec2::splat(60.0),
-            DVec2::new(0.0, 60.0),
-            x(0.0),
-            start,
-        ]
-    };
+    let box_from =
+        |start: DVec2| [start, x(60.0), DVec2::splat(60.0), DVec2::new(0.0, 60.0), x(0.0), start];
     let dashes = dashes(&box_from(x(7.0)));
     assert_eq!(dashes[0][0], x(60.0));
     for corner in [x(0.0), x(60.0), DVec2::splat(60.0), DVec2::new(0.0, 60.0)] {
-        assert!(
-            dashes.iter().flatten().any(|point| *point == corner),
-            "{corner}"
-        );
+        assert!(dashes.iter().flatten().any(|point| *point == corner), "{corner}");
     }
 }
 

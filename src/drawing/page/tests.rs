@@ -45,9 +45,8 @@ fn hidden(mut piece: LinePiece) -> LinePiece {
 /// A box of 40 x 20 mm with a hidden diagonal.
 fn sample() -> VisibleLines {
     let corners = [(0.0, 0.0), (40.0, 0.0), (40.0, 20.0), (0.0, 20.0)];
-    let mut pieces: Vec<_> = (0..4)
-        .map(|i| piece(corners[i], corners[(i + 1) % 4], i as u32))
-        .collect();
+    let mut pieces: Vec<_> =
+        (0..4).map(|i| piece(corners[i], corners[(i + 1) % 4], i as u32)).collect();
     pieces.push(hidden(piece(corners[0], corners[2], 4)));
     lines(pieces)
 }
@@ -57,20 +56,13 @@ fn draw(options: DrawingOptions) -> Drawing {
 }
 
 fn labels(drawing: &Drawing) -> Vec<&str> {
-    drawing
-        .layers
-        .iter()
-        .map(|layer| layer.label.as_str())
-        .collect()
+    drawing.layers.iter().map(|layer| layer.label.as_str()).collect()
 }
 
 #[test]
 fn the_box_fits_between_the_margins_in_the_middle_and_upright() {
     let drawing = draw(DrawingOptions::default());
-    assert_eq!(
-        (drawing.size, drawing.scale),
-        (DVec2::new(210.0, 297.0), 4.75)
-    );
+    assert_eq!((drawing.size, drawing.scale), (DVec2::new(210.0, 297.0), 4.75));
     let stroke = drawing.layers[0].strokes.get(0);
     // The lower left corner of the image is the first point; y runs down.
     assert_eq!(stroke[0], DVec2::new(10.0, 196.0));
@@ -80,39 +72,15 @@ fn the_box_fits_between_the_margins_in_the_middle_and_upright() {
 
 #[test]
 fn scale_and_unit_say_how_large_the_model_becomes() {
-    let options = DrawingOptions {
-        paper: Paper::Tight,
-        ..DrawingOptions::default()
-    };
+    let options = DrawingOptions { paper: Paper::Tight, ..DrawingOptions::default() };
     assert_eq!(draw(options).size, DVec2::new(60.0, 40.0));
-    let halved = DrawingOptions {
-        scale: Scale::Ratio(0.5),
-        ..options
-    };
+    let halved = DrawingOptions { scale: Scale::Ratio(0.5), ..options };
     assert_eq!(draw(halved).size, DVec2::new(40.0, 30.0));
-    let inches = DrawingOptions {
-        unit: Unit::Inch,
-        scale: Scale::Factor(0.1),
-        ..options
-    };
-    assert!(
-        (draw(inches).size - DVec2::new(121.6, 70.8))
-            .abs()
-            .max_element()
-            < 1e-12
-    );
-    let sheet = DrawingOptions {
-        scale: Scale::Ratio(1.0),
-        ..DrawingOptions::default()
-    };
-    assert_eq!(
-        (draw(sheet).size, draw(sheet).scale),
-        (DVec2::new(210.0, 297.0), 1.0)
-    );
-    let lying = DrawingOptions {
-        landscape: true,
-        ..DrawingOptions::default()
-    };
+    let inches = DrawingOptions { unit: Unit::Inch, scale: Scale::Factor(0.1), ..options };
+    assert!((draw(inches).size - DVec2::new(121.6, 70.8)).abs().max_element() < 1e-12);
+    let sheet = DrawingOptions { scale: Scale::Ratio(1.0), ..DrawingOptions::default() };
+    assert_eq!((draw(sheet).size, draw(sheet).scale), (DVec2::new(210.0, 297.0), 1.0));
+    let lying = DrawingOptions { landscape: true, ..DrawingOptions::default() };
     assert_eq!(draw(lying).size, DVec2::new(297.0, 210.0));
 }
 
@@ -120,32 +88,16 @@ fn scale_and_unit_say_how_large_the_model_becomes() {
 fn wishes_that_contradict_one_another_are_refused() {
     let refused = |options| Drawing::new(&sample(), &options).unwrap_err();
     let default = DrawingOptions::default();
-    let large = DrawingOptions {
-        scale: Scale::Ratio(6.0),
-        ..default
-    };
+    let large = DrawingOptions { scale: Scale::Ratio(6.0), ..default };
     assert!(matches!(refused(large), DrawingError::TooLarge { .. }));
-    let margin = DrawingOptions {
-        margin: Length::new(105.0).unwrap(),
-        ..default
-    };
+    let margin = DrawingOptions { margin: Length::new(105.0).unwrap(), ..default };
     assert!(matches!(refused(margin), DrawingError::Margin { .. }));
-    let wide = DrawingOptions {
-        hidden_width: f64::NAN,
-        ..default
-    };
+    let wide = DrawingOptions { hidden_width: f64::NAN, ..default };
     assert!(matches!(refused(wide), DrawingError::PenWidth(_)));
-    let endless = DrawingOptions {
-        paper: Paper::Tight,
-        scale: Scale::Factor(1e6),
-        ..default
-    };
+    let endless = DrawingOptions { paper: Paper::Tight, scale: Scale::Factor(1e6), ..default };
     assert!(matches!(refused(endless), DrawingError::Endless { .. }));
     let nowhere = lines(vec![piece((0.0, f64::NAN), (1.0, 1.0), 0)]);
-    assert_eq!(
-        Drawing::new(&nowhere, &default),
-        Err(DrawingError::NotFinite)
-    );
+    assert_eq!(Drawing::new(&nowhere, &default), Err(DrawingError::NotFinite));
 }
 
 #[test]
@@ -153,27 +105,11 @@ fn perspective_has_factors_but_no_ratios() {
     let mut view = lines(vec![piece((-0.25, 0.0), (0.25, 0.0), 0)]);
     view.frame.projection = Projection::Perspective;
     let draw = |scale, paper| {
-        Drawing::new(
-            &view,
-            &DrawingOptions {
-                scale,
-                paper,
-                ..DrawingOptions::default()
-            },
-        )
+        Drawing::new(&view, &DrawingOptions { scale, paper, ..DrawingOptions::default() })
     };
-    assert_eq!(
-        draw(Scale::Ratio(0.5), Paper::A4),
-        Err(DrawingError::PerspectiveRatio)
-    );
-    assert_eq!(
-        draw(Scale::Factor(300.0), Paper::Tight).unwrap().size,
-        DVec2::new(170.0, 20.0)
-    );
-    assert_eq!(
-        draw(Scale::Fit, Paper::Tight).unwrap().size,
-        DVec2::new(210.0, 20.0)
-    );
+    assert_eq!(draw(Scale::Ratio(0.5), Paper::A4), Err(DrawingError::PerspectiveRatio));
+    assert_eq!(draw(Scale::Factor(300.0), Paper::Tight).unwrap().size, DVec2::new(170.0, 20.0));
+    assert_eq!(draw(Scale::Fit, Paper::Tight).unwrap().size, DVec2::new(210.0, 20.0));
 }
 
 #[test]
@@ -189,46 +125,26 @@ fn boxes_without_area_are_centred() {
     let point = Drawing::new(&lines(vec![piece((7.0, 7.0), (7.0, 7.0), 0)]), &default).unwrap();
     assert!(point.layers.is_empty());
     assert_eq!(point.scale, 1.0);
-    let tight = DrawingOptions {
-        paper: Paper::Tight,
-        margin: Length::default(),
-        ..default
-    };
+    let tight = DrawingOptions { paper: Paper::Tight, margin: Length::default(), ..default };
     assert_eq!(Drawing::new(&upright, &tight).unwrap().size, DVec2::ONE);
 }
 
 #[test]
 fn hidden_layers_are_numbered_last_and_painted_first() {
-    let shown = DrawingOptions {
-        hidden: Hidden::Solid,
-        ..DrawingOptions::default()
-    };
+    let shown = DrawingOptions { hidden: Hidden::Solid, ..DrawingOptions::default() };
     let drawing = draw(shown);
     assert_eq!(labels(&drawing), ["2-hidden", "1-visible"]);
-    assert_eq!(
-        (drawing.layers[0].style.width, drawing.layers[1].style.width),
-        (0.25, 0.5)
-    );
+    assert_eq!((drawing.layers[0].style.width, drawing.layers[1].style.width), (0.25, 0.5));
     let mut view = sample();
     view.pieces[1].class = LineClass::Crease;
     view.pieces[1].object = 1;
     view.pieces[4].object = 2;
     let by = |layer_by| {
-        Drawing::new(&view, &DrawingOptions { layer_by, ..shown }).map(|drawing| {
-            labels(&drawing)
-                .into_iter()
-                .map(str::to_owned)
-                .collect::<Vec<_>>()
-        })
+        Drawing::new(&view, &DrawingOptions { layer_by, ..shown })
+            .map(|drawing| labels(&drawing).into_iter().map(str::to_owned).collect::<Vec<_>>())
     };
-    assert_eq!(
-        by(LayerBy::Class).unwrap(),
-        ["3-contour-hidden", "1-contour", "2-crease"]
-    );
-    assert_eq!(
-        by(LayerBy::Object).unwrap(),
-        ["3-cup-hidden", "1-cup", "2-object"]
-    );
+    assert_eq!(by(LayerBy::Class).unwrap(), ["3-contour-hidden", "1-contour", "2-crease"]);
+    assert_eq!(by(LayerBy::Object).unwrap(), ["3-cup-hidden", "1-cup", "2-object"]);
 }
 
 #[test]
@@ -237,10 +153,7 @@ fn hidden_pieces_neither_drawn_nor_counted_in_the_box_unless_asked_for() {
     view.pieces.push(hidden(piece((0.0, 0.0), (400.0, 0.0), 9)));
     let without = Drawing::new(&view, &DrawingOptions::default()).unwrap();
     assert_eq!((labels(&without), without.scale), (vec!["1-visible"], 4.75));
-    let dashed = DrawingOptions {
-        hidden: Hidden::Dashed,
-        ..DrawingOptions::default()
-    };
+    let dashed = DrawingOptions { hidden: Hidden::Dashed, ..DrawingOptions::default() };
     assert_eq!(Drawing::new(&view, &dashed).unwrap().scale, 0.475);
 }
 
@@ -249,15 +162,9 @@ fn pieces_of_one_run_become_one_segment_even_across_counts() {
     let run = |from: f64, to: f64| hidden(piece((from, 0.0), (to, 0.0), 7));
     let mut view = lines(vec![run(0.0, 1.0), run(1.0, 3.0), run(3.0, 4.0)]);
     view.pieces[1].invisibility = 2;
-    let options = DrawingOptions {
-        hidden: Hidden::Solid,
-        ..DrawingOptions::default()
-    };
-    let count = |view: &VisibleLines| {
-        Drawing::new(view, &options).unwrap().layers[0]
-            .strokes
-            .point_count()
-    };
+    let options = DrawingOptions { hidden: Hidden::Solid, ..DrawingOptions::default() };
+    let count =
+        |view: &VisibleLines| Drawing::new(view, &options).unwrap().layers[0].strokes.point_count();
     assert_eq!(count(&view), 2);
     // Another run that goes on in the same direction keeps its joint.
     view.pieces[2].run = 8;

@@ -58,11 +58,8 @@ impl Ring for BigInteger {
         let bits = value.to_bits();
         let field = ((bits >> 52) & 0x7ff) as i32;
         let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) = if field == 0 {
-            (fraction, -1074)
-        } else {
-            (fraction | 1 << 52, field - 1075)
-        };
+        let (mantissa, exponent) =
+            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
         let shift = exponent - unit;
         let magnitude = if shift >= 0 {
             IBig::from(mantissa) << shift as usize

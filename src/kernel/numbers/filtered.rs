@@ -74,11 +74,7 @@ impl Filtered {
 impl Ring for Filtered {
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
-        Filtered {
-            value,
-            magnitude: value.abs(),
-            depth: 0,
-        }
+        Filtered { value, magnitude: value.abs(), depth: 0 }
     }
 }
 
@@ -104,11 +100,7 @@ impl Sub for Filtered {
             // The difference of two leaves is off by a rounding of itself,
             // not of its terms: this keeps far-away scenes decidable.
             let value = self.value - other.value;
-            return Filtered {
-                value,
-                magnitude: value.abs(),
-                depth: 1,
-            };
+            return Filtered { value, magnitude: value.abs(), depth: 1 };
         }
         Filtered {
             value: self.value - other.value,
@@ -136,9 +128,6 @@ impl Neg for Filtered {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Filtered {
-            value: -self.value,
-            ..self
-        }
+        Filtered { value: -self.value, ..self }
     }
 }

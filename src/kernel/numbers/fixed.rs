@@ -20,11 +20,7 @@ pub struct FixedInteger<const N: usize> {
 }
 
 impl<const N: usize> FixedInteger<N> {
-    const ZERO: Self = FixedInteger {
-        negative: false,
-        length: 0,
-        limbs: [0; N],
-    };
+    const ZERO: Self = FixedInteger { negative: false, length: 0, limbs: [0; N] };
 
     /// The sign.
     #[inline]
@@ -53,15 +49,8 @@ impl<const N: usize> FixedInteger<N> {
     /// `|self| + |other|` with the given sign.
     #[inline]
     fn add_magnitudes(&self, other: &Self, negative: bool) -> Self {
-        let (long, short) = if self.length >= other.length {
-            (self, other)
-        } else {
-            (other, self)
-        };
-        let mut sum = Self {
-            negative,
-            ..Self::ZERO
-        };
+        let (long, short) = if self.length >= other.length { (self, other) } else { (other, self) };
+        let mut sum = Self { negative, ..Self::ZERO };
         let mut carry = false;
         for i in 0..long.length {
             let addend = if i < short.length { short.limbs[i] } else { 0 };
@@ -82,10 +71,7 @@ impl<const N: usize> FixedInteger<N> {
     /// `|self| - |other|` with the given sign, for `|self| >= |other|`.
     #[inline]
     fn subtract_magnitudes(&self, other: &Self, negative: bool) -> Self {
-        let mut rest = Self {
-            negative,
-            ..Self::ZERO
-        };
+        let mut rest = Self { negative, ..Self::ZERO };
         let mut borrow = false;
         for i in 0..self.length {
             let subtrahend = if i < other.length { other.limbs[i] } else { 0 };
@@ -113,10 +99,7 @@ impl<const N: usize> FixedInteger<N> {
         if other.length == 0 {
             *self
         } else if self.length == 0 {
-            Self {
-                negative: other_negative,
-                ..*other
-            }
+            Self { negative: other_negative, ..*other }
         } else if self.negative == other_negative {
             self.add_magnitudes(other, self.negative)
         } else if self.magnitude_at_least(other) {
@@ -133,10 +116,7 @@ impl<const N: usize> Ring for FixedInteger<N> {
         // Scaled coordinates are integers below 2^125: the conversion is exact.
         let integer = value as i128;
         let magnitude = integer.unsigned_abs();
-        let mut number = Self {
-            negative: integer < 0,
-            ..Self::ZERO
-        };
+        let mut number = Self { negative: integer < 0, ..Self::ZERO };
         number.limbs[0] = magnitude as u64;
         number.limbs[1] = (magnitude >> 64) as u64;
         number.length = 2;
@@ -168,10 +148,7 @@ impl<const N: usize> Mul for FixedInteger<N> {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let mut product = Self {
-            negative: self.negative != other.negative,
-            ..Self::ZERO
-        };
+        let mut product = Self { negative: self.negative != other.negative, ..Self::ZERO };
         if self.length == 0 || other.length == 0 {
             return Self::ZERO;
         }
@@ -201,10 +178,7 @@ impl<const N: usize> Neg for FixedInteger<N> {
 
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            negative: !self.negative,
-            ..self
-        }
+        Self { negative: !self.negative, ..self }
     }
 }
 

@@ -39,9 +39,7 @@ pub struct Carrier {
 impl Carrier {
     /// The edge from vertex `a` to vertex `b`.
     pub fn edge(a: u32, b: u32) -> Self {
-        Carrier {
-            ends: [Point::Vertex(a), Point::Vertex(b)],
-        }
+        Carrier { ends: [Point::Vertex(a), Point::Vertex(b)] }
     }
 
     /// The same segment, walked the other way.

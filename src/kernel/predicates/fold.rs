@@ -25,9 +25,7 @@ impl FoldThreshold {
     /// (none is). The cosine is rounded once; from there on it is exact.
     pub fn from_degrees(degrees: f64) -> Self {
         let scale = f64::powi(2.0, COSINE_BITS);
-        FoldThreshold {
-            cosine: (degrees.to_radians().cos() * scale).round(),
-        }
+        FoldThreshold { cosine: (degrees.to_radians().cos() * scale).round() }
     }
 }
 
@@ -96,11 +94,7 @@ impl Fold {
         thirds: [u32; 2],
         threshold: FoldThreshold,
     ) -> Self {
-        let product = predicates.decide(&FoldFormula {
-            edge,
-            thirds,
-            part: Part::Product,
-        });
+        let product = predicates.decide(&FoldFormula { edge, thirds, part: Part::Product });
         let wide = threshold.cosine < 0.0;
         // Where m.n and -cos differ in sign no square is needed.
         let exceeds = match (product == Sign::Positive, wide) {
@@ -109,11 +103,7 @@ impl Fold {
             (true, true) | (false, false) => {
                 let part = Part::Excess(threshold);
                 let excess = predicates.decide(&FoldFormula { edge, thirds, part });
-                if wide {
-                    excess == Sign::Positive
-                } else {
-                    excess == Sign::Negative
-                }
+                if wide { excess == Sign::Positive } else { excess == Sign::Negative }
             }
         };
         Fold { exceeds }

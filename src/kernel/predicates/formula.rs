@@ -92,11 +92,7 @@ fn orientation<R: Ring>(points: &Points, a: u32, b: u32, c: u32, d: u32) -> R {
 /// The eye's row after pivoting on vertex `pivot`.
 #[inline(always)]
 fn eye_row<R: Ring>(points: &Points, pivot: &[R; 3]) -> [R; 3] {
-    if points.is_perspective() {
-        difference(points.eye(), pivot)
-    } else {
-        points.eye()
-    }
+    if points.is_perspective() { difference(points.eye(), pivot) } else { points.eye() }
 }
 
 /// `[E, p, q, r]` of the eye and three vertices.
@@ -114,11 +110,7 @@ fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
 fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
     let pivot = points.vertex::<R>(r);
     let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
-    determinant3(
-        eye_row(points, &pivot),
-        difference(points.vertex(p), &pivot),
-        direction,
-    )
+    determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
 }
 
 /// The value of the linear functional `f` at `point`, times the positive
@@ -234,9 +226,7 @@ impl Formula for Turn {
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         let first = self.0.start;
         let pairs = (first + 1)..self.0.end.max(first + 2) - 1;
-        pairs.fold(R::read(0.0, 0), |sum, p| {
-            sum + side(points, first, p, p + 1)
-        })
+        pairs.fold(R::read(0.0, 0), |sum, p| sum + side(points, first, p, p + 1))
     }
 }
 
@@ -270,9 +260,7 @@ impl Formula for ImageSide {
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         let [start, end] = self.0.ends;
         at_point(points, self.1, &|x| {
-            at_point(points, start, &|p| {
-                at_point(points, end, &|q| side(points, p, q, x))
-            })
+            at_point(points, start, &|p| at_point(points, end, &|q| side(points, p, q, x)))
         })
     }
 }
@@ -295,9 +283,7 @@ impl Formula for Skew {
             return orientation(points, p, q, a, b);
         }
         let [start, end] = self.0.ends;
-        at_point(points, start, &|p| {
-            at_point(points, end, &|q| orientation(points, p, q, a, b))
-        })
+        at_point(points, start, &|p| at_point(points, end, &|q| orientation(points, p, q, a, b)))
     }
 }
 
@@ -411,9 +397,7 @@ impl Formula for AlongImage {
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         self.first.apply(points, &|x| {
             // [E, x, y, k] = -[E, x, k, y].
-            -self
-                .second
-                .apply(points, &|y| axis_side(points, x, self.axis, y))
+            -self.second.apply(points, &|y| axis_side(points, x, self.axis, y))
         })
     }
 }

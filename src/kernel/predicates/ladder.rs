@@ -123,11 +123,7 @@ pub struct Predicates<'p, P: Policy = Exact> {
 impl<'p, P: Policy> Predicates<'p, P> {
     /// Predicates on `points`.
     pub fn new(points: &'p Points) -> Self {
-        Predicates {
-            points,
-            tally: Tally::default(),
-            policy: std::marker::PhantomData,
-        }
+        Predicates { points, tally: Tally::default(), policy: std::marker::PhantomData }
     }
 
     /// The points.
@@ -139,12 +135,9 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn counters(&self) -> Counters {
         let mut counters = Counters::default();
         for (i, [failures, big]) in Predicate::COUNTERS.iter().enumerate() {
-            for (name, cell) in [
-                (failures, &self.tally.failures[i]),
-                (big, &self.tally.big[i]),
-            ] {
+            for (name, cell) in [(failures, &self.tally.failures[i]), (big, &self.tally.big[i])] {
                 if cell.get() > 0 {
-                    counters.add(name, cell.get());
+                    counters.add(*name, cell.get());
                 }
             }
         }
@@ -190,10 +183,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn value(&self, cut: Cut, point: Point) -> Measured {
         let formula = Value(cut, point);
         let value = formula.evaluate::<Filtered>(self.points);
-        Measured {
-            sign: P::resolve(self.points, &formula, value, &self.tally),
-            value,
-        }
+        Measured { sign: P::resolve(self.points, &formula, value, &self.tally), value }
     }
 
     /// The sign of [`Self::value`].
@@ -230,11 +220,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// in the ratio `weights[1] : weights[0]`; weights are positive integers
     /// below 2^64 held in floats.
     pub fn combination(&self, carrier: Carrier, weights: [f64; 2], cut: Cut) -> Sign {
-        self.decide(&Combination {
-            carrier,
-            weights,
-            cut,
-        })
+        self.decide(&Combination { carrier, weights, cut })
     }
 
     /// Compares the places of two cuts along a carrier. `first` and
@@ -251,11 +237,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
             return Ordering::Equal;
         }
         let ([a1, b1], [a2, b2]) = (first.1, second.1);
-        let formula = Order {
-            carrier,
-            first: first.0,
-            second: second.0,
-        };
+        let formula = Order { carrier, first: first.0, second: second.0 };
         let value = a2.value * b1.value - a1.value * b2.value;
         let sign = P::resolve(self.points, &formula, value, &self.tally);
         (sign * span_sign(first.1) * span_sign(second.1)).into()
@@ -282,42 +264,17 @@ impl<'p, P: Policy> Predicates<'p, P> {
                 Place::Start | Place::End => true,
             },
         };
-        let compare = |first, second| {
-            self.decide(&AlongImage {
-                first,
-                second,
-                axis,
-            })
-        };
-        let sense = compare(
-            locate((reference, Place::Start)),
-            locate((reference, Place::End)),
-        );
+        let compare = |first, second| self.decide(&AlongImage { first, second, axis });
+        let sense = compare(locate((reference, Place::Start)), locate((reference, Place::End)));
         (-(compare(locate(first), locate(second)) * sense)).into()
     }
 
     /// An axis direction that does not lie in the plane of the carrier and
     /// the eye, if the carrier's image is more than a point.
     pub fn axis_across(&self, carrier: Carrier) -> Option<u8> {
-        let start = Located {
-            carrier,
-            place: Place::Start,
-            positive_start: true,
-        };
-        let end = Located {
-            carrier,
-            place: Place::End,
-            positive_start: true,
-        };
-        (0..3).find(|&axis| {
-            !self
-                .decide(&AlongImage {
-                    first: start,
-                    second: end,
-                    axis,
-                })
-                .is_zero()
-        })
+        let start = Located { carrier, place: Place::Start, positive_start: true };
+        let end = Located { carrier, place: Place::End, positive_start: true };
+        (0..3).find(|&axis| !self.decide(&AlongImage { first: start, second: end, axis }).is_zero())
     }
 
     /// The parameter of a cut, from 0 at the carrier's start to 1 at its

@@ -29,10 +29,7 @@ struct BitRange {
 }
 
 impl BitRange {
-    const EMPTY: Self = BitRange {
-        lowest: i32::MAX,
-        above: i32::MIN,
-    };
+    const EMPTY: Self = BitRange { lowest: i32::MAX, above: i32::MIN };
 
     fn include(&mut self, value: f64) {
         if value == 0.0 {
@@ -41,15 +38,10 @@ impl BitRange {
         let bits = value.to_bits();
         let field = ((bits >> 52) & 0x7ff) as i32;
         let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) = if field == 0 {
-            (fraction, -1074)
-        } else {
-            (fraction | 1 << 52, field - 1075)
-        };
+        let (mantissa, exponent) =
+            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
         self.lowest = self.lowest.min(exponent + mantissa.trailing_zeros() as i32);
-        self.above = self
-            .above
-            .max(exponent + 64 - mantissa.leading_zeros() as i32);
+        self.above = self.above.max(exponent + 64 - mantissa.leading_zeros() as i32);
     }
 
     fn of(values: impl IntoIterator<Item = DVec3>) -> Self {
@@ -61,27 +53,16 @@ impl BitRange {
     }
 
     fn union(self, other: Self) -> Self {
-        BitRange {
-            lowest: self.lowest.min(other.lowest),
-            above: self.above.max(other.above),
-        }
+        BitRange { lowest: self.lowest.min(other.lowest), above: self.above.max(other.above) }
     }
 
     fn width(self) -> u32 {
-        if self.lowest == i32::MAX {
-            0
-        } else {
-            (self.above - self.lowest).unsigned_abs()
-        }
+        if self.lowest == i32::MAX { 0 } else { (self.above - self.lowest).unsigned_abs() }
     }
 
     /// The exponent of the unit: zero where there is no bit at all.
     fn unit(self) -> i32 {
-        if self.lowest == i32::MAX {
-            0
-        } else {
-            self.lowest
-        }
+        if self.lowest == i32::MAX { 0 } else { self.lowest }
     }
 }
 
@@ -130,28 +111,17 @@ impl Points {
             directions = eye_range;
         }
         let forward_range = near.map_or(BitRange::EMPTY, |plane| BitRange::of([plane.forward]));
-        let spread = points
-            .width()
-            .max(directions.width())
-            .max(forward_range.width());
+        let spread = points.width().max(directions.width()).max(forward_range.width());
         let narrow = spread <= NARROW;
         let shift = |value: f64, unit: i32| {
-            if narrow {
-                divide_by_unit(value, unit)
-            } else {
-                value
-            }
+            if narrow { divide_by_unit(value, unit) } else { value }
         };
         let shift3 = |v: DVec3, unit: i32| v.to_array().map(|x| shift(x, unit));
         let kept_unit = |unit: i32| if narrow { 0 } else { unit };
 
         let mut scaled = vec![[0.0; 3]; vertices.len()];
         fill_indexed(&mut scaled, |i| shift3(vertices[i], points.unit()));
-        let eye_range = if eye.is_perspective() {
-            points
-        } else {
-            directions
-        };
+        let eye_range = if eye.is_perspective() { points } else { directions };
         Points {
             vertices: scaled,
             unit: kept_unit(points.unit()),
@@ -167,11 +137,7 @@ impl Points {
                 ScaledNear {
                     forward: shift3(plane.forward, forward_unit),
                     forward_unit: kept_unit(forward_unit),
-                    offset: if narrow {
-                        divide_by_unit(offset, both).floor()
-                    } else {
-                        offset
-                    },
+                    offset: if narrow { divide_by_unit(offset, both).floor() } else { offset },
                     offset_unit: kept_unit(both),
                 }
             }),
@@ -244,8 +210,6 @@ impl Points {
     /// Orders two vertices by their coordinates, x first.
     pub fn compare(&self, a: u32, b: u32) -> std::cmp::Ordering {
         let (a, b) = (&self.vertices[a as usize], &self.vertices[b as usize]);
-        a[0].total_cmp(&b[0])
-            .then(a[1].total_cmp(&b[1]))
-            .then(a[2].total_cmp(&b[2]))
+        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
     }
 }

@@ -52,11 +52,7 @@ impl<P: Policy> Walker<'_, P> {
             }
             let side = Cut::Silhouette([x, y]);
             let sign = self.sign_at(walk, 0, side);
-            let sign = if sign.is_zero() {
-                self.sign_at(walk, 1, side)
-            } else {
-                sign
-            };
+            let sign = if sign.is_zero() { self.sign_at(walk, 1, side) } else { sign };
             if sign.is_zero() {
                 covers = self.on_side_of(walk, z, covers);
             } else if sign != facing {
@@ -65,16 +61,8 @@ impl<P: Policy> Walker<'_, P> {
         }
         let plane = Cut::Face(corners);
         let sign = self.sign_at(walk, 0, plane);
-        let sign = if sign.is_zero() {
-            self.sign_at(walk, 1, plane)
-        } else {
-            sign
-        };
-        if sign == facing {
-            covers
-        } else {
-            Sides::default()
-        }
+        let sign = if sign.is_zero() { self.sign_at(walk, 1, plane) } else { sign };
+        if sign == facing { covers } else { Sides::default() }
     }
 
     /// `covers` on the side of the walk on which vertex `third` lies, and

@@ -59,12 +59,7 @@ impl<P: Policy> Walker<'_, P> {
     fn crossing(&self, walk: &Walk, index: u32) -> Option<Event> {
         let effective = self.question.effective[index as usize];
         let edge @ [a, b] = self.question.mesh.edges().ends(effective.edge);
-        if walk
-            .vertices
-            .iter()
-            .flatten()
-            .any(|vertex| edge.contains(vertex))
-        {
+        if walk.vertices.iter().flatten().any(|vertex| edge.contains(vertex)) {
             return None;
         }
         let cut = Cut::Silhouette(edge);
@@ -98,15 +93,8 @@ impl<P: Policy> Walker<'_, P> {
             let [a, b] = sides.map(|side| side.or(aside));
             if a == b { 0 } else { gain }
         };
-        let change = Sides {
-            left: met(Sign::Negative),
-            right: met(Sign::Positive),
-        };
-        Some(Event {
-            cut,
-            values: [first, last],
-            change,
-        })
+        let change = Sides { left: met(Sign::Negative), right: met(Sign::Positive) };
+        Some(Event { cut, values: [first, last], change })
     }
 
     /// Collects the triangles that the line pierces.
@@ -130,12 +118,7 @@ impl<P: Policy> Walker<'_, P> {
     fn piercing(&self, walk: &Walk, triangle: u32) -> Option<Event> {
         let corners @ [a, b, c] = self.question.mesh.triangles()[triangle as usize];
         // A line that ends at a corner does not cross the plane there.
-        if walk
-            .vertices
-            .iter()
-            .flatten()
-            .any(|vertex| corners.contains(vertex))
-        {
+        if walk.vertices.iter().flatten().any(|vertex| corners.contains(vertex)) {
             return None;
         }
         let facing = self.question.facing[triangle as usize];
@@ -168,11 +151,7 @@ impl<P: Policy> Walker<'_, P> {
             left: hides[1] * inside[1].left - hides[0] * inside[0].left,
             right: hides[1] * inside[1].right - hides[0] * inside[0].right,
         };
-        Some(Event {
-            cut,
-            values: [first, last],
-            change,
-        })
+        Some(Event { cut, values: [first, last], change })
     }
 
     /// Narrows down where the line is inside the triangle's image just

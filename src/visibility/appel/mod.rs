@@ -124,9 +124,7 @@ pub fn appel<P: Policy>(
 /// View boxes of the effective edges.
 fn effective_hierarchy(question: &LineQuestion<'_>) -> Hierarchy {
     let boxes = crate::run::map_indexed(question.effective.len(), |i| {
-        question
-            .coordinates
-            .bounds(question.mesh.edges().ends(question.effective[i].edge))
+        question.coordinates.bounds(question.mesh.edges().ends(question.effective[i].edge))
     });
     Hierarchy::new(&boxes)
 }

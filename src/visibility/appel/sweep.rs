@@ -23,8 +23,7 @@ impl<P: Policy> Walker<'_, P> {
         let end = self.end_of_walk(walk, to_near, &mut events);
         events.retain(|event| event.change != Sides::default());
         let order = |a: &Event, b: &Event| {
-            self.predicates
-                .order(walk.carrier, (a.cut, &a.values), (b.cut, &b.values))
+            self.predicates.order(walk.carrier, (a.cut, &a.values), (b.cut, &b.values))
         };
         events.sort_by(order);
         let mut sum = first;
@@ -37,23 +36,11 @@ impl<P: Policy> Walker<'_, P> {
             }
             if sum.invisibility() != before {
                 let to = Place::Cut(group[0].cut);
-                push(
-                    &mut self.pieces,
-                    self.question.hidden_wanted,
-                    from,
-                    to,
-                    before,
-                );
+                push(&mut self.pieces, self.question.hidden_wanted, from, to, before);
                 from = to;
             }
         }
-        push(
-            &mut self.pieces,
-            self.question.hidden_wanted,
-            from,
-            end,
-            sum.invisibility(),
-        );
+        push(&mut self.pieces, self.question.hidden_wanted, from, end, sum.invisibility());
         events.clear();
         self.events = events;
     }
@@ -63,13 +50,9 @@ impl<P: Policy> Walker<'_, P> {
         if !to_near {
             return Place::End;
         }
-        let near = walk
-            .carrier
-            .ends
-            .map(|point| self.predicates.value(Cut::Near, point));
+        let near = walk.carrier.ends.map(|point| self.predicates.value(Cut::Near, point));
         events.retain(|event| {
-            self.predicates
-                .order(walk.carrier, (event.cut, &event.values), (Cut::Near, &near))
+            self.predicates.order(walk.carrier, (event.cut, &event.values), (Cut::Near, &near))
                 == Ordering::Less
         });
         Place::Cut(Cut::Near)
@@ -85,10 +68,6 @@ fn push(
     invisibility: u32,
 ) {
     if hidden_wanted || invisibility == 0 {
-        pieces.push(ExactPiece {
-            from,
-            to,
-            invisibility,
-        });
+        pieces.push(ExactPiece { from, to, invisibility });
     }
 }

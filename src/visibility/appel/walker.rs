@@ -20,10 +20,7 @@ pub(super) struct Sides {
 impl Sides {
     /// The same on both sides.
     pub(super) fn both(count: i32) -> Self {
-        Sides {
-            left: count,
-            right: count,
-        }
+        Sides { left: count, right: count }
     }
 
     /// The invisibility: the larger count.
@@ -147,11 +144,8 @@ impl<'q, P: Policy> Walker<'q, P> {
         let (own, probe) = match line.origin {
             LineOrigin::Intersection(index) => {
                 let own = question.intersections[index as usize].triangles;
-                let [s, t] = own.map(|i| {
-                    question
-                        .coordinates
-                        .bounds(question.mesh.triangles()[i as usize])
-                });
+                let [s, t] =
+                    own.map(|i| question.coordinates.bounds(question.mesh.triangles()[i as usize]));
                 // The segment lies in both triangles; its ends are not
                 // known in floats, so only the box counts.
                 let nowhere = [f32::NAN; 2];
@@ -164,20 +158,13 @@ impl<'q, P: Policy> Walker<'q, P> {
                 ([NONE; 2], question.coordinates.probe([a, b]))
             }
         };
-        let walk = Walk {
-            carrier,
-            vertices,
-            own,
-            start: self.start_box(vertices[0], &probe),
-            probe,
-        };
+        let walk =
+            Walk { carrier, vertices, own, start: self.start_box(vertices[0], &probe), probe };
         (self.has_image(&walk)).then_some(walk)
     }
 
     fn start_box(&self, vertex: Option<u32>, probe: &SegmentProbe) -> Bounds {
-        vertex.map_or(*probe.bounds(), |vertex| {
-            self.question.coordinates.bounds([vertex])
-        })
+        vertex.map_or(*probe.bounds(), |vertex| self.question.coordinates.bounds([vertex]))
     }
 
     /// Whether the image of the line is more than a point.
@@ -212,11 +199,7 @@ impl<'q, P: Policy> Walker<'q, P> {
         };
         self.pieces.reverse();
         for piece in &mut self.pieces {
-            *piece = ExactPiece {
-                from: turn(piece.to),
-                to: turn(piece.from),
-                ..*piece
-            };
+            *piece = ExactPiece { from: turn(piece.to), to: turn(piece.from), ..*piece };
         }
     }
 
@@ -227,9 +210,7 @@ impl<'q, P: Policy> Walker<'q, P> {
             return true;
         }
         let corners = self.question.mesh.triangles()[triangle as usize];
-        walk.vertices
-            .iter()
-            .all(|end| end.is_some_and(|vertex| corners.contains(&vertex)))
+        walk.vertices.iter().all(|end| end.is_some_and(|vertex| corners.contains(&vertex)))
     }
 
     /// The sign of a cut's plane at one end of the walk; zero by identity

@@ -26,14 +26,12 @@ pub(super) fn resolve_coincident<P: Policy>(
     let resolved = map_indexed(groups.len(), |i| {
         let predicates = Predicates::<P>::new(question.points);
         let group = &groups[i];
-        let result = if group
-            .iter()
-            .all(|&p| pieces[p as usize].line == pieces[group[0] as usize].line)
-        {
-            follow_line(pieces, group)
-        } else {
-            ImageLine::new(question, &predicates, pieces, group).resolve()
-        };
+        let result =
+            if group.iter().all(|&p| pieces[p as usize].line == pieces[group[0] as usize].line) {
+                follow_line(pieces, group)
+            } else {
+                ImageLine::new(question, &predicates, pieces, group).resolve()
+            };
         (result, predicates.counters())
     });
     let mut reduced = Vec::with_capacity(pieces.len());
@@ -42,10 +40,7 @@ pub(super) fn resolve_coincident<P: Policy>(
         let first = runs;
         for piece in group {
             runs = runs.max(first + piece.run + 1);
-            reduced.push(RoundedPiece {
-                run: first + piece.run,
-                ..piece
-            });
+            reduced.push(RoundedPiece { run: first + piece.run, ..piece });
         }
         run.merge(&counters);
     }
@@ -129,16 +124,8 @@ fn image_hierarchy(pieces: &[RoundedPiece]) -> Hierarchy {
         let [a, b] = pieces[i].image;
         let (low, high, slack) = (a.min(b), a.max(b), pieces[i].slack);
         Bounds {
-            low: [
-                rounding.down(0, low.x, slack),
-                rounding.down(1, low.y, slack),
-                0.0,
-            ],
-            high: [
-                rounding.up(0, high.x, slack),
-                rounding.up(1, high.y, slack),
-                0.0,
-            ],
+            low: [rounding.down(0, low.x, slack), rounding.down(1, low.y, slack), 0.0],
+            high: [rounding.up(0, high.x, slack), rounding.up(1, high.y, slack), 0.0],
         }
     });
     Hierarchy::new(&boxes)
@@ -155,9 +142,7 @@ fn are_collinear<P: Policy>(
         return false;
     }
     let [a, b] = [first, second].map(|p| question.carrier(&question.lines[p.line as usize]));
-    b.ends
-        .iter()
-        .all(|&end| predicates.image_side_of_point(a, end).is_zero())
+    b.ends.iter().all(|&end| predicates.image_side_of_point(a, end).is_zero())
 }
 
 /// Whether an end of `other` is off the line of `piece` by more than
@@ -212,10 +197,8 @@ impl<'a, P: Policy> ImageLine<'a, P> {
     ) -> Self {
         let pieces: Vec<RoundedPiece> = group.iter().map(|&i| all[i as usize]).collect();
         let carrier = |piece: &RoundedPiece| question.carrier(&question.lines[piece.line as usize]);
-        let longest = pieces
-            .iter()
-            .max_by(|a, b| length(a).total_cmp(&length(b)))
-            .unwrap_or(&pieces[0]);
+        let longest =
+            pieces.iter().max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or(&pieces[0]);
         let reference = carrier(longest);
         let [from, to] = longest.image;
         let mut line = ImageLine {
@@ -262,11 +245,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         // The direction runs along the common line up to slack, so the
         // product has the sign of the order unless it is this small.
         if gap.abs() > 8.0 * (a.slack + b.slack) * reach + f64::MIN_POSITIVE {
-            return if gap < 0.0 {
-                Ordering::Less
-            } else {
-                Ordering::Greater
-            };
+            return if gap < 0.0 { Ordering::Less } else { Ordering::Greater };
         }
         self.predicates.order_along_image(
             self.reference,
@@ -363,22 +342,19 @@ fn representative(group: &[Stop]) -> Stop {
 fn ranks(question: &LineQuestion<'_>, pieces: &[RoundedPiece]) -> Vec<u32> {
     let corners = |piece: &RoundedPiece| {
         let carrier = question.carrier(&question.lines[piece.line as usize]);
-        carrier
-            .as_edge()
-            .map(|[a, b]| match question.points.compare(a, b) {
-                Ordering::Greater => [b, a],
-                _ => [a, b],
-            })
+        carrier.as_edge().map(|[a, b]| match question.points.compare(a, b) {
+            Ordering::Greater => [b, a],
+            _ => [a, b],
+        })
     };
     let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
     order.sort_by(|&a, &b| {
         let (x, y) = (&pieces[a as usize], &pieces[b as usize]);
         let class = |piece: &RoundedPiece| question.lines[piece.line as usize].class;
         let geometry = match (corners(x), corners(y)) {
-            (Some([a, b]), Some([c, d])) => question
-                .points
-                .compare(a, c)
-                .then(question.points.compare(b, d)),
+            (Some([a, b]), Some([c, d])) => {
+                question.points.compare(a, c).then(question.points.compare(b, d))
+            }
             (x, y) => y.is_some().cmp(&x.is_some()),
         };
         x.invisibility

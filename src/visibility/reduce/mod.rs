@@ -37,13 +37,7 @@ pub fn reduce<P: Policy>(
             let predicates = Predicates::<P>::new(question.points);
             let mut pieces = Vec::new();
             for line in part {
-                round_line(
-                    question,
-                    &predicates,
-                    line as u32,
-                    answer.line(line),
-                    &mut pieces,
-                );
+                round_line(question, &predicates, line as u32, answer.line(line), &mut pieces);
             }
             (pieces, predicates.counters())
         });
@@ -54,20 +48,10 @@ pub fn reduce<P: Policy>(
         resolve_coincident::<P>(question, &pieces, run)
     });
     run.check()?;
-    let objects = question
-        .mesh
-        .objects()
-        .iter()
-        .map(|object| object.name.clone())
-        .collect();
+    let objects = question.mesh.objects().iter().map(|object| object.name.clone()).collect();
     let pieces = crate::run::map_indexed(reduced.len(), |i| line_piece(question, &reduced[i]));
     run.count("pieces", pieces.len() as u64);
-    Ok(VisibleLines {
-        frame: *question.frame,
-        objects,
-        pieces,
-        counters: run.counters(),
-    })
+    Ok(VisibleLines { frame: *question.frame, objects, pieces, counters: run.counters() })
 }
 
 /// Joins the results of parallel parts.
@@ -97,10 +81,7 @@ fn line_piece(question: &LineQuestion<'_>, piece: &RoundedPiece) -> LinePiece {
                 let object = mesh.object_of_triangle(triangle);
                 mesh.face_of(triangle) - mesh.objects()[object as usize].faces.start
             });
-            (
-                mesh.object_of_triangle(triangles[0]),
-                LineSource::Faces(faces),
-            )
+            (mesh.object_of_triangle(triangles[0]), LineSource::Faces(faces))
         }
     };
     LinePiece {

@@ -34,9 +34,7 @@ pub(super) fn round_line<P: Policy>(
         return;
     }
     let carrier = question.carrier(&question.lines[line as usize]);
-    let ends = carrier
-        .ends
-        .map(|point| round_point(question, predicates, point));
+    let ends = carrier.ends.map(|point| round_point(question, predicates, point));
     let place = |place| match place {
         Place::Start => ends[0],
         Place::End => ends[1],
@@ -70,9 +68,7 @@ fn round_point<P: Policy>(
         Point::Vertex(vertex) => question.coordinates.point(vertex),
         Point::Piercing(piercing) => {
             let carrier = Carrier::edge(piercing.edge[0], piercing.edge[1]);
-            let ends = piercing
-                .edge
-                .map(|vertex| question.coordinates.point(vertex));
+            let ends = piercing.edge.map(|vertex| question.coordinates.point(vertex));
             round_cut(predicates, carrier, Cut::Face(piercing.face), ends)
         }
     }
