@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use umriss::model::import::{Format, Imported, read_bytes, read_file};
-use umriss::model::{Color, Placement, Soup, Unit, UpAxis};
+use umriss::model::{Color, Soup};
 
 fn import(name: &str, bytes: &[u8]) -> Imported {
     match read_bytes(name, bytes, None) {
@@ -306,6 +306,7 @@ mod polygon_scene {
 #[cfg(feature = "gltf")]
 mod gltf {
     use super::*;
+    use umriss::model::{Placement, Unit, UpAxis};
 
     /// Positions of SQUARE as f32, then the indices 0 1 2 3 as bytes, then
     /// the value (5, 6, 7) as f32.
