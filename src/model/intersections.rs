@@ -37,40 +37,70 @@ pub struct IntersectionLine {
 pub struct Intersections {
     /// The segments, in the order of their triangles.
     pub lines: Vec<IntersectionLine>,
+    /// Which edges pierce which triangles.
+    pub piercings: EdgePiercings,
+}
+
+/// The triangles that each edge pierces: its ends lie strictly on both
+/// sides of the triangle's plane, and it meets the closed triangle.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct EdgePiercings {
+    /// Edge and triangle, sorted.
+    pairs: Vec<[u32; 2]>,
+}
+
+impl EdgePiercings {
+    /// The triangles that `edge` pierces. O(log n).
+    pub fn of_edge(&self, edge: u32) -> impl Iterator<Item = u32> + '_ {
+        let start = self.pairs.partition_point(|pair| pair[0] < edge);
+        self.pairs[start..].iter().take_while(move |pair| pair[0] == edge).map(|pair| pair[1])
+    }
+
+    /// The number of piercings.
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Whether no edge pierces a triangle.
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
+    }
 }
 
 impl Intersections {
     /// Searches all pairs of triangles with overlapping boxes. `hierarchy`
     /// holds boxes of the mesh's triangles. Expected O(n + pairs).
     pub fn find<P: Policy>(mesh: &Mesh, points: &Points, hierarchy: &Hierarchy, run: &Run) -> Self {
-        struct Part<'p, P: Policy> {
-            predicates: Predicates<'p, P>,
-            lines: Vec<IntersectionLine>,
-            tested: u64,
-        }
         let parts = hierarchy.overlapping_pairs(
-            || Part { predicates: Predicates::<P>::new(points), lines: Vec::new(), tested: 0 },
-            |part, s, t| {
-                let pair = [s.min(t), s.max(t)];
-                if shared_corners(mesh, pair) < 2 {
-                    part.tested += 1;
-                    add_lines(mesh, &part.predicates, pair, &mut part.lines);
-                }
-            },
+            || Search::<P>::new(mesh, points),
+            |search, s, t| search.add_pair([s.min(t), s.max(t)]),
         );
         let mut intersections = Intersections::default();
         let mut tested = 0;
         for part in parts {
             run.merge(&part.predicates.counters());
             intersections.lines.extend(part.lines);
+            intersections.piercings.pairs.extend(part.piercings);
             tested += part.tested;
         }
         intersections.lines.sort_unstable_by_key(|line| (line.triangles, line.carrier.ends));
         intersections.lines.dedup();
+        intersections.piercings.pairs.sort_unstable();
+        intersections.piercings.pairs.dedup();
         run.count("triangle-pairs-tested", tested);
         run.count("intersection-segments", intersections.lines.len() as u64);
+        run.count("edge-piercings", intersections.piercings.len() as u64);
         intersections
     }
+}
+
+/// One worker's share of the search.
+struct Search<'p, P: Policy> {
+    mesh: &'p Mesh,
+    predicates: Predicates<'p, P>,
+    lines: Vec<IntersectionLine>,
+    piercings: Vec<[u32; 2]>,
+    tested: u64,
 }
 
 /// View boxes of all triangles of a mesh, in a hierarchy.
@@ -150,100 +180,135 @@ fn skew<P: Policy>(predicates: &Predicates<'_, P>, [p, q]: [u32; 2], side: [u32;
     }
 }
 
-/// Adds the segments that two triangles make.
-fn add_lines<P: Policy>(
-    mesh: &Mesh,
-    predicates: &Predicates<'_, P>,
-    pair: [u32; 2],
-    lines: &mut Vec<IntersectionLine>,
-) {
-    let [s, t] = pair.map(|triangle| mesh.triangles()[triangle as usize]);
-    let signs_s = corner_signs(predicates, s, t);
-    if straddles(signs_s) {
-        let signs_t = corner_signs(predicates, t, s);
-        if straddles(signs_t) {
-            lines.extend(crossing(predicates, pair, [(s, signs_s), (t, signs_t)]));
-        } else {
-            add_edges_within(mesh, predicates, [pair[1], pair[0]], signs_t, lines);
-        }
-    } else {
-        // An edge of t inside s would make s straddle the plane of t, so
-        // only edges of s are left to look at.
-        add_edges_within(mesh, predicates, pair, signs_s, lines);
-    }
-}
-
-/// The segment in which two triangles cross that straddle one another's
-/// planes, if they meet at all.
-fn crossing<P: Policy>(
-    predicates: &Predicates<'_, P>,
-    pair: [u32; 2],
-    [(s, signs_s), (t, signs_t)]: [([u32; 3], [Sign; 3]); 2],
-) -> Option<IntersectionLine> {
-    let inside = |end: &End, triangle| passes_through(predicates, end.edge, triangle);
-    let mut found: Vec<End> = Vec::with_capacity(4);
-    for end in ends(s, signs_s, t).into_iter().filter(|end| inside(end, t)) {
-        found.push(end);
-    }
-    let own = found.len();
-    for end in ends(t, signs_t, s).into_iter().filter(|end| inside(end, s)) {
-        // Ends of the two triangles coincide exactly if their edges meet.
-        let known = |other: &End| {
-            other.point == end.point || skew(predicates, end.edge, other.edge).is_zero()
-        };
-        if !found[..own].iter().any(known) {
-            found.push(end);
-        }
-    }
-    match found[..] {
-        [first, second] => {
-            let carrier = Carrier { ends: [first.point, second.point] };
-            Some(IntersectionLine { carrier, triangles: pair })
-        }
-        _ => None,
-    }
-}
-
-/// Adds the edges of the first triangle that lie in the plane of the
-/// second, reach into its inside, and have faces strictly on both sides of
-/// it. `signs` are those of the first's corners.
-fn add_edges_within<P: Policy>(
-    mesh: &Mesh,
-    predicates: &Predicates<'_, P>,
-    [s, t]: [u32; 2],
+/// One of two triangles, against the plane of the other.
+struct Side {
     signs: [Sign; 3],
-    lines: &mut Vec<IntersectionLine>,
-) {
-    if signs.iter().filter(|sign| sign.is_zero()).count() != 2 {
-        return;
+    /// The ends of its common segment with the other's plane that lie in
+    /// the other triangle; none unless it straddles that plane.
+    inside: Vec<End>,
+}
+
+impl Side {
+    fn straddles(&self) -> bool {
+        straddles(self.signs)
     }
-    let (corners, plane) = (mesh.triangles()[s as usize], mesh.triangles()[t as usize]);
-    for i in 0..3 {
-        let (a, b, c) = (corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
-        if !(signs[i].is_zero() && signs[(i + 1) % 3].is_zero()) {
-            continue;
+}
+
+impl<'p, P: Policy> Search<'p, P> {
+    fn new(mesh: &'p Mesh, points: &'p Points) -> Self {
+        Search {
+            mesh,
+            predicates: Predicates::new(points),
+            lines: Vec::new(),
+            piercings: Vec::new(),
+            tested: 0,
         }
-        let Some(edge) = mesh.edges().find(a, b) else {
-            continue;
-        };
-        let triangles = mesh.edges().triangles(edge);
-        // Each edge is reported by the first of its triangles.
-        let mut others = [false; 2];
-        for &triangle in triangles {
-            let third = mesh.third(triangle, [a, b]);
-            match predicates.plane(plane, third) {
-                Sign::Negative => others[0] = true,
-                Sign::Positive => others[1] = true,
-                Sign::Zero => {}
+    }
+
+    /// Adds what two triangles with overlapping boxes make.
+    fn add_pair(&mut self, pair: [u32; 2]) {
+        let shared = shared_corners(self.mesh, pair);
+        if shared >= 2 {
+            return;
+        }
+        self.tested += 1;
+        let [s, t] = pair.map(|triangle| self.mesh.triangles()[triangle as usize]);
+        let signs_s = corner_signs(&self.predicates, s, t);
+        let zeros = signs_s.iter().filter(|sign| sign.is_zero()).count();
+        if !straddles(signs_s) && zeros == shared {
+            // Strictly on one side but for a common corner.
+            return;
+        }
+        let first = self.side(pair[0], pair[1], signs_s);
+        let signs_t = corner_signs(&self.predicates, t, s);
+        let second = self.side(pair[1], pair[0], signs_t);
+        match (first.straddles(), second.straddles()) {
+            (true, true) => self.lines.extend(self.crossing(pair, &first, &second)),
+            (true, false) => self.add_edges_within([pair[1], pair[0]], signs_t),
+            // An edge of t inside s would make s straddle the plane of t,
+            // so only edges of s are left to look at.
+            (false, _) => self.add_edges_within(pair, signs_s),
+        }
+    }
+
+    /// One triangle of a pair; notes the edges with which it pierces the
+    /// other.
+    fn side(&mut self, own: u32, other: u32, signs: [Sign; 3]) -> Side {
+        let [corners, plane] = [own, other].map(|i| self.mesh.triangles()[i as usize]);
+        let mut inside = Vec::new();
+        if straddles(signs) {
+            for end in ends(corners, signs, plane) {
+                if passes_through(&self.predicates, end.edge, plane) {
+                    inside.push(end);
+                    if let Point::Piercing(Piercing { edge: [a, b], .. }) = end.point {
+                        let edge = self.mesh.edges().find(a, b);
+                        self.piercings.extend(edge.map(|edge| [edge, other]));
+                    }
+                }
             }
         }
-        let off_plane =
-            |&&triangle: &&u32| !predicates.plane(plane, mesh.third(triangle, [a, b])).is_zero();
-        if others == [true, true]
-            && triangles.iter().find(off_plane) == Some(&s)
-            && let Some(carrier) = clip_to_triangle(predicates, [a.min(b), a.max(b)], c, plane)
-        {
-            lines.push(IntersectionLine { carrier, triangles: [s, t] });
+        Side { signs, inside }
+    }
+
+    /// The segment in which two triangles cross that straddle one another's
+    /// planes, if they meet at all.
+    fn crossing(&self, pair: [u32; 2], first: &Side, second: &Side) -> Option<IntersectionLine> {
+        let mut found = first.inside.clone();
+        for &end in &second.inside {
+            // Ends of the two triangles coincide exactly if their edges meet.
+            let known = |other: &End| {
+                other.point == end.point || skew(&self.predicates, end.edge, other.edge).is_zero()
+            };
+            if !first.inside.iter().any(known) {
+                found.push(end);
+            }
+        }
+        match found[..] {
+            [first, second] => {
+                let carrier = Carrier { ends: [first.point, second.point] };
+                Some(IntersectionLine { carrier, triangles: pair })
+            }
+            _ => None,
+        }
+    }
+
+    /// Adds the edges of the first triangle that lie in the plane of the
+    /// second, reach into its inside, and have faces strictly on both sides of
+    /// it. `signs` are those of the first's corners.
+    fn add_edges_within(&mut self, [s, t]: [u32; 2], signs: [Sign; 3]) {
+        let (mesh, predicates) = (self.mesh, &self.predicates);
+        if signs.iter().filter(|sign| sign.is_zero()).count() != 2 {
+            return;
+        }
+        let (corners, plane) = (mesh.triangles()[s as usize], mesh.triangles()[t as usize]);
+        for i in 0..3 {
+            let (a, b, c) = (corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
+            if !(signs[i].is_zero() && signs[(i + 1) % 3].is_zero()) {
+                continue;
+            }
+            let Some(edge) = mesh.edges().find(a, b) else {
+                continue;
+            };
+            let triangles = mesh.edges().triangles(edge);
+            // Each edge is reported by the first of its triangles.
+            let mut others = [false; 2];
+            for &triangle in triangles {
+                let third = mesh.third(triangle, [a, b]);
+                match predicates.plane(plane, third) {
+                    Sign::Negative => others[0] = true,
+                    Sign::Positive => others[1] = true,
+                    Sign::Zero => {}
+                }
+            }
+            let off_plane = |&&triangle: &&u32| {
+                !predicates.plane(plane, mesh.third(triangle, [a, b])).is_zero()
+            };
+            if others == [true, true]
+                && triangles.iter().find(off_plane) == Some(&s)
+                && let Some(carrier) = clip_to_triangle(predicates, [a.min(b), a.max(b)], c, plane)
+            {
+                self.lines.push(IntersectionLine { carrier, triangles: [s, t] });
+            }
         }
     }
 }

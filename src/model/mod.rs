@@ -21,7 +21,7 @@ pub use adjacency::Edges;
 pub use camera::{Camera, CameraError, View};
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
-pub use intersections::{IntersectionLine, Intersections, triangle_hierarchy};
+pub use intersections::{EdgePiercings, IntersectionLine, Intersections, triangle_hierarchy};
 pub use line_class::LineClass;
 pub use mesh::{Mesh, MeshError, MeshReport, Object};
 pub use scene::{Scene, SceneOptions};

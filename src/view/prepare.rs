@@ -11,6 +11,9 @@ use crate::model::{
 use crate::run::{Cancelled, Run};
 use crate::spatial::Hierarchy;
 
+/// One line in this many edges makes it worth finding all piercings.
+const MANY_LINES: usize = 8;
+
 /// A mesh as one eye sees it.
 #[derive(Debug, Clone)]
 pub struct PreparedView<'m> {
@@ -20,7 +23,7 @@ pub struct PreparedView<'m> {
     coordinates: ViewCoordinates,
     facing: Vec<Sign>,
     features: Features,
-    intersections: Intersections,
+    intersections: Option<Intersections>,
     hierarchy: Hierarchy,
 }
 
@@ -54,12 +57,17 @@ impl<'m> PreparedView<'m> {
         let hierarchy =
             run.stage("hierarchy", triangles, || triangle_hierarchy(mesh, &coordinates));
         run.check()?;
-        let mut intersections = Intersections::default();
-        if options.wants(LineClass::Intersection) {
-            intersections = run.stage("intersections", triangles, || {
+        // With many lines, finding all piercings at once is cheaper than
+        // asking for each line.
+        let many = features.lines.len() > mesh.edges().len() / MANY_LINES;
+        let wanted = options.wants(LineClass::Intersection);
+        let intersections = (wanted || many).then(|| {
+            run.stage("intersections", triangles, || {
                 Intersections::find::<P>(mesh, &points, &hierarchy, run)
-            });
-            let all = 0..intersections.lines.len() as u32;
+            })
+        });
+        if wanted && let Some(found) = &intersections {
+            let all = 0..found.lines.len() as u32;
             features.lines.extend(all.map(|index| FeatureLine {
                 origin: LineOrigin::Intersection(index),
                 class: LineClass::Intersection,
@@ -88,7 +96,8 @@ impl<'m> PreparedView<'m> {
             facing: &self.facing,
             lines: &self.features.lines,
             effective: &self.features.effective,
-            intersections: &self.intersections.lines,
+            intersections: self.intersections.as_ref().map_or(&[], |found| &found.lines),
+            piercings: self.intersections.as_ref().map(|found| &found.piercings),
             hierarchy: &self.hierarchy,
             hidden_wanted,
         }

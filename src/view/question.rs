@@ -3,7 +3,8 @@
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Points};
 use crate::model::{
-    EffectiveEdge, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh, ViewCoordinates,
+    EdgePiercings, EffectiveEdge, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh,
+    ViewCoordinates,
 };
 use crate::spatial::Hierarchy;
 
@@ -28,6 +29,8 @@ pub struct LineQuestion<'a> {
     pub effective: &'a [EffectiveEdge],
     /// The intersection lines that `lines` refers to.
     pub intersections: &'a [IntersectionLine],
+    /// Which edges pierce which triangles, where that was searched.
+    pub piercings: Option<&'a EdgePiercings>,
     /// View boxes of the triangles.
     pub hierarchy: &'a Hierarchy,
     /// Whether hidden pieces are wanted too. If not, a method may leave a

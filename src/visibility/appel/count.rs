@@ -8,11 +8,28 @@
 //! are zero; then the triangle covers just the side of the line on which
 //! its third corner lies (the side rule). So an edge between two triangles
 //! never counts twice and never falls through, and no ray is shot.
+//!
+//! Lines from one vertex differ only in the triangles for which the vertex
+//! itself is a border case, its own star above all. The rest is counted
+//! once for a vertex; edges are numbered by their first vertex, so lines
+//! from one vertex follow one another.
 
 use super::Fault;
 use super::walker::{Sides, Walk, Walker};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Cut, Policy};
+use crate::spatial::Bounds;
+
+/// Counts in front of a vertex.
+#[derive(Debug, Clone, Default)]
+pub(super) struct FromVertex {
+    vertex: Option<u32>,
+    /// How many triangles hide the vertex strictly, and so the beginning of
+    /// every line from it.
+    sure: i32,
+    /// Triangles that hide the beginnings of some lines from it, perhaps.
+    unsure: Vec<u32>,
+}
 
 impl<P: Policy> Walker<'_, P> {
     /// The counts just after the start of the walk.
@@ -21,17 +38,70 @@ impl<P: Policy> Walker<'_, P> {
         if self.fault == Some(Fault::StartVisible) {
             return Sides::default();
         }
-        let mut sum = Sides::default();
         let start = walk.start;
+        let mut sum = Sides::default();
+        let Some(vertex) = walk.vertices[0] else {
+            self.question.hierarchy.visit(
+                |node| node.may_hide(&start),
+                |triangle| sum.add(self.covers_start(walk, triangle)),
+            );
+            return sum;
+        };
+        if self.from_vertex.vertex != Some(vertex) {
+            self.count_from(vertex, &start);
+        }
+        sum.add(Sides::both(self.from_vertex.sure));
+        for &triangle in &self.from_vertex.unsure {
+            sum.add(self.covers_start(walk, triangle));
+        }
+        sum
+    }
+
+    /// Counts the triangles in front of a vertex, apart from border cases.
+    fn count_from(&mut self, vertex: u32, start: &Bounds) {
+        let mut counted = std::mem::take(&mut self.from_vertex);
+        counted.unsure.clear();
+        counted.sure = 0;
+        counted.vertex = Some(vertex);
         self.question.hierarchy.visit(
-            |node| node.may_hide(&start),
-            |triangle| {
-                let covers = self.covers_start(walk, triangle);
-                sum.left += covers.left;
-                sum.right += covers.right;
+            |node| node.may_hide(start),
+            |triangle| match self.covers_vertex(vertex, triangle) {
+                Sign::Positive => counted.sure += 1,
+                Sign::Zero => counted.unsure.push(triangle),
+                Sign::Negative => {}
             },
         );
-        sum
+        self.from_vertex = counted;
+        self.vertices_counted += 1;
+    }
+
+    /// Positive if a triangle hides a vertex strictly, negative if it does
+    /// not and the vertex is on none of the four planes that matter.
+    #[inline]
+    fn covers_vertex(&self, vertex: u32, triangle: u32) -> Sign {
+        let facing = self.question.facing[triangle as usize];
+        if facing.is_zero() {
+            return Sign::Negative;
+        }
+        let corners @ [a, b, c] = self.question.mesh.triangles()[triangle as usize];
+        if corners.contains(&vertex) {
+            return Sign::Zero;
+        }
+        let mut covers = Sign::Positive;
+        for [x, y] in [[a, b], [b, c], [c, a]] {
+            let sign = self.predicates.side(x, y, vertex);
+            if sign.is_opposite(facing) {
+                return Sign::Negative;
+            }
+            if sign.is_zero() {
+                covers = Sign::Zero;
+            }
+        }
+        match self.predicates.plane(corners, vertex) {
+            Sign::Zero => Sign::Zero,
+            sign if sign == facing => covers,
+            _ => Sign::Negative,
+        }
     }
 
     /// Whether a triangle hides the beginning of the walk: 0 or 1 per side.

@@ -102,13 +102,20 @@ impl<P: Policy> Walker<'_, P> {
         if self.fault == Some(Fault::ForgetPiercings) {
             return;
         }
-        let probe = walk.probe;
         let before = self.events.len();
         let mut events = std::mem::take(&mut self.events);
-        self.question.hierarchy.visit(
-            |node| node.overlaps(probe.bounds()) && probe.may_meet_image(node),
-            |triangle| events.extend(self.piercing(walk, triangle)),
-        );
+        match (self.question.piercings, walk.edge) {
+            (Some(known), Some(edge)) => {
+                events.extend(known.of_edge(edge).filter_map(|t| self.piercing(walk, t)));
+            }
+            _ => {
+                let probe = walk.probe;
+                self.question.hierarchy.visit(
+                    |node| node.overlaps(probe.bounds()) && probe.may_meet_image(node),
+                    |triangle| events.extend(self.piercing(walk, triangle)),
+                );
+            }
+        }
         self.piercings += (events.len() - before) as u64;
         self.events = events;
     }

@@ -1,5 +1,6 @@
 //! One worker: walks line after line and reuses its memory.
 
+use super::count::FromVertex;
 use super::events::Event;
 use super::{AppelOptions, Fault};
 use crate::kernel::numbers::Sign;
@@ -23,6 +24,12 @@ impl Sides {
         Sides { left: count, right: count }
     }
 
+    /// Adds counts side by side.
+    pub(super) fn add(&mut self, other: Self) {
+        self.left += other.left;
+        self.right += other.right;
+    }
+
     /// The invisibility: the larger count.
     pub(super) fn invisibility(self) -> u32 {
         // Counts below zero occur only under a measuring policy.
@@ -36,6 +43,8 @@ pub(super) struct Walk {
     pub(super) carrier: Carrier,
     /// The vertices at the ends, where they are vertices.
     pub(super) vertices: [Option<u32>; 2],
+    /// The edge of the mesh, where it is one.
+    pub(super) edge: Option<u32>,
     /// Triangles that contain an intersection line by construction.
     pub(super) own: [u32; 2],
     pub(super) probe: SegmentProbe,
@@ -58,6 +67,9 @@ pub(super) struct Walker<'q, P: Policy> {
     pub(super) crossings: u64,
     pub(super) piercings: u64,
     pub(super) counted: u64,
+    /// The first count's part that all lines from one vertex have in common.
+    pub(super) from_vertex: FromVertex,
+    pub(super) vertices_counted: u64,
     pub(super) left_early: u64,
 }
 
@@ -78,6 +90,8 @@ impl<'q, P: Policy> Walker<'q, P> {
             crossings: 0,
             piercings: 0,
             counted: 0,
+            from_vertex: FromVertex::default(),
+            vertices_counted: 0,
             left_early: 0,
         }
     }
@@ -94,6 +108,7 @@ impl<'q, P: Policy> Walker<'q, P> {
         counters.add("crossings", self.crossings);
         counters.add("piercings", self.piercings);
         counters.add("first-counts", self.counted);
+        counters.add("vertices-counted", self.vertices_counted);
         counters.add("lines-left-early", self.left_early);
         counters
     }
@@ -141,6 +156,10 @@ impl<'q, P: Policy> Walker<'q, P> {
             Point::Vertex(vertex) => Some(vertex),
             Point::Piercing(_) => None,
         });
+        let edge = match line.origin {
+            LineOrigin::Edge(edge) => Some(edge),
+            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+        };
         let (own, probe) = match line.origin {
             LineOrigin::Intersection(index) => {
                 let own = question.intersections[index as usize].triangles;
@@ -158,8 +177,14 @@ impl<'q, P: Policy> Walker<'q, P> {
                 ([NONE; 2], question.coordinates.probe([a, b]))
             }
         };
-        let walk =
-            Walk { carrier, vertices, own, start: self.start_box(vertices[0], &probe), probe };
+        let walk = Walk {
+            carrier,
+            vertices,
+            edge,
+            own,
+            start: self.start_box(vertices[0], &probe),
+            probe,
+        };
         (self.has_image(&walk)).then_some(walk)
     }
 
