@@ -29,6 +29,8 @@
 //! O(lines x triangles) at worst; an image grid leaves out triangles whose
 //! boxes do not meet the line's box.
 
+#[cfg(test)]
+mod brute_force;
 mod image_grid;
 #[cfg(test)]
 mod tests;
