@@ -1,7 +1,8 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn, Value,
+    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn,
+    Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign};
@@ -229,6 +230,13 @@ impl<'p, P: Policy> Predicates<'p, P> {
         })
     }
 
+    /// The sign of a cut's functional at some point of the carrier strictly
+    /// between two of its places, always the same one for the same places.
+    pub fn between(&self, carrier: Carrier, places: [Place; 2], cut: Cut) -> Sign {
+        let places = places.map(|place| self.locate(carrier, place));
+        self.decide(&Between { places, cut })
+    }
+
     /// Compares the places of two cuts along a carrier. `first` and
     /// `second` carry the values at its start and end; each cut's signs must
     /// differ (one of them may be zero).
@@ -263,17 +271,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
         first: (Carrier, Place),
         second: (Carrier, Place),
     ) -> Ordering {
-        let locate = |(carrier, place): (Carrier, Place)| Located {
-            carrier,
-            place,
-            positive_start: match place {
-                Place::Cut(cut) => {
-                    self.value_sign(cut, carrier.ends[0]) == Sign::Positive
-                        || self.value_sign(cut, carrier.ends[1]) == Sign::Negative
-                }
-                Place::Start | Place::End => true,
-            },
-        };
+        let locate = |(carrier, place): (Carrier, Place)| self.locate(carrier, place);
         let compare = |first, second| {
             self.decide(&AlongImage {
                 first,
@@ -286,6 +284,21 @@ impl<'p, P: Policy> Predicates<'p, P> {
             locate((reference, Place::End)),
         );
         (-(compare(locate(first), locate(second)) * sense)).into()
+    }
+
+    /// A place with the sign that makes its weight positive.
+    fn locate(&self, carrier: Carrier, place: Place) -> Located {
+        Located {
+            carrier,
+            place,
+            positive_start: match place {
+                Place::Cut(cut) => {
+                    self.value_sign(cut, carrier.ends[0]) == Sign::Positive
+                        || self.value_sign(cut, carrier.ends[1]) == Sign::Negative
+                }
+                Place::Start | Place::End => true,
+            },
+        }
     }
 
     /// An axis direction that does not lie in the plane of the carrier and
