@@ -1,10 +1,15 @@
 //! Object-space methods: which parts of which lines are visible, exactly.
 //!
-//! [`appel`] is the product, `roberts` the judge; neither imports the
+//! [`appel`] is the product, [`roberts`] the judge; neither imports the
 //! other. [`reduce`] turns their common answer into the lines of a drawing.
+//! [`visible_lines`] does it all.
 
 mod appel;
 mod reduce;
+mod roberts;
+mod visible_lines;
 
 pub use appel::{AppelOptions, Fault, appel};
 pub use reduce::reduce;
+pub use roberts::roberts;
+pub use visible_lines::visible_lines;

@@ -35,11 +35,13 @@ pub enum Predicate {
     Combination,
     /// [`Turn`]: which way a closed ring runs.
     Turn,
+    /// [`super::ray`]: what a ray through a vertex meets.
+    Ray,
 }
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 10;
+    pub const COUNT: usize = 11;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -54,6 +56,7 @@ impl Predicate {
         ["filter-failures-fold", "big-integers-fold"],
         ["filter-failures-combination", "big-integers-combination"],
         ["filter-failures-turn", "big-integers-turn"],
+        ["filter-failures-ray", "big-integers-ray"],
     ];
 }
 
@@ -80,7 +83,7 @@ pub trait Formula {
 
 /// `[a, b, c, d]` of four vertices.
 #[inline(always)]
-fn orientation<R: Ring>(points: &Points, a: u32, b: u32, c: u32, d: u32) -> R {
+pub(super) fn orientation<R: Ring>(points: &Points, a: u32, b: u32, c: u32, d: u32) -> R {
     let pivot = points.vertex::<R>(d);
     determinant3(
         difference(points.vertex(a), &pivot),
@@ -97,7 +100,7 @@ fn eye_row<R: Ring>(points: &Points, pivot: &[R; 3]) -> [R; 3] {
 
 /// `[E, p, q, r]` of the eye and three vertices.
 #[inline(always)]
-fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
+pub(super) fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
     let pivot = points.vertex::<R>(r);
     determinant3(
         eye_row(points, &pivot),
@@ -154,7 +157,7 @@ fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
 }
 
 /// `forward . (x - eye) - offset`; positive in front of the near plane.
-fn near_at_vertex<R: Ring>(points: &Points, x: u32) -> R {
+pub(super) fn near_at_vertex<R: Ring>(points: &Points, x: u32) -> R {
     let Some((forward, offset)) = points.near::<R>() else {
         // Without a near plane everything is in front of it.
         return R::read(1.0, 0);
@@ -340,6 +343,35 @@ impl Formula for Combination {
             |point, other| weight::<R>(points, other) * cut_at_point::<R>(points, self.cut, point);
         R::read(self.weights[0], 0) * one(start, end)
             + R::read(self.weights[1], 0) * one(end, start)
+    }
+}
+
+/// The value of a plane's functional at a point of a carrier strictly
+/// between two of its places: the sum of its values there, each times a
+/// positive weight. However short the piece, this is inside it.
+pub(super) struct Between {
+    pub(super) places: [Located; 2],
+    pub(super) cut: Cut,
+}
+
+impl Formula for Between {
+    const PREDICATE: Predicate = Predicate::Combination;
+
+    fn degree(&self) -> u32 {
+        let [first, second] = self.places.map(|located| located.degree());
+        3 + first.max(second)
+    }
+
+    fn bits(&self, spread: u32) -> u32 {
+        // One more for the sum of two places.
+        self.degree() * (spread + 2) + 3
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let [first, second] = self
+            .places
+            .map(|located| located.apply(points, &|x| cut_at_vertex::<R>(points, self.cut, x)));
+        first + second
     }
 }
 

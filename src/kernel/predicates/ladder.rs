@@ -1,7 +1,8 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn, Value,
+    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn,
+    Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign};
@@ -223,6 +224,13 @@ impl<'p, P: Policy> Predicates<'p, P> {
         self.decide(&Combination { carrier, weights, cut })
     }
 
+    /// The sign of a cut's functional at some point of the carrier strictly
+    /// between two of its places, always the same one for the same places.
+    pub fn between(&self, carrier: Carrier, places: [Place; 2], cut: Cut) -> Sign {
+        let places = places.map(|place| self.locate(carrier, place));
+        self.decide(&Between { places, cut })
+    }
+
     /// Compares the places of two cuts along a carrier. `first` and
     /// `second` carry the values at its start and end; each cut's signs must
     /// differ (one of them may be zero).
@@ -253,7 +261,15 @@ impl<'p, P: Policy> Predicates<'p, P> {
         first: (Carrier, Place),
         second: (Carrier, Place),
     ) -> Ordering {
-        let locate = |(carrier, place): (Carrier, Place)| Located {
+        let locate = |(carrier, place): (Carrier, Place)| self.locate(carrier, place);
+        let compare = |first, second| self.decide(&AlongImage { first, second, axis });
+        let sense = compare(locate((reference, Place::Start)), locate((reference, Place::End)));
+        (-(compare(locate(first), locate(second)) * sense)).into()
+    }
+
+    /// A place with the sign that makes its weight positive.
+    fn locate(&self, carrier: Carrier, place: Place) -> Located {
+        Located {
             carrier,
             place,
             positive_start: match place {
@@ -263,10 +279,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
                 }
                 Place::Start | Place::End => true,
             },
-        };
-        let compare = |first, second| self.decide(&AlongImage { first, second, axis });
-        let sense = compare(locate((reference, Place::Start)), locate((reference, Place::End)));
-        (-(compare(locate(first), locate(second)) * sense)).into()
+        }
     }
 
     /// An axis direction that does not lie in the plane of the carrier and

@@ -30,6 +30,7 @@ mod fold;
 mod formula;
 mod ladder;
 mod points;
+mod ray;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point};
 pub use collinear::are_collinear;
