@@ -113,14 +113,30 @@ impl<const N: usize> FixedInteger<N> {
 impl<const N: usize> Ring for FixedInteger<N> {
     #[inline]
     fn read(value: f64, _unit: i32) -> Self {
-        // Scaled coordinates are integers below 2^125: the conversion is exact.
-        let integer = value as i128;
-        let magnitude = integer.unsigned_abs();
-        let mut number = Self { negative: integer < 0, ..Self::ZERO };
-        number.limbs[0] = magnitude as u64;
-        number.limbs[1] = (magnitude >> 64) as u64;
-        number.length = 2;
-        number.trim();
+        let bits = value.to_bits();
+        let field = ((bits >> 52) & 0x7ff) as usize;
+        if field < 1023 {
+            // Integers below one are zero.
+            return Self::ZERO;
+        }
+        let mantissa = bits & ((1 << 52) - 1) | 1 << 52;
+        let mut number = Self { negative: value < 0.0, ..Self::ZERO };
+        if field <= 1075 {
+            number.limbs[0] = mantissa >> (1075 - field);
+            number.length = 1;
+            return number;
+        }
+        let (limb, shift) = ((field - 1075) / 64, (field - 1075) % 64);
+        number.limbs[limb] = mantissa << shift;
+        // Shifted in two steps, for a shift by 64 is not defined.
+        let over = mantissa >> 1 >> (63 - shift);
+        number.length = limb + 1;
+        if over != 0 {
+            number.limbs[limb + 1] = over;
+            number.length += 1;
+        } else {
+            number.trim();
+        }
         number
     }
 }

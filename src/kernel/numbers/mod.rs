@@ -13,6 +13,7 @@ mod fixed;
 mod sign;
 
 pub use big::BigInteger;
+pub(crate) use big::scale_by_power_of_two;
 pub use filtered::Filtered;
 pub use fixed::FixedInteger;
 pub use sign::Sign;

@@ -25,6 +25,7 @@ pub struct Measured {
 pub struct Tally {
     failures: [Cell<u64>; Predicate::COUNT],
     big: [Cell<u64>; Predicate::COUNT],
+    disagreements: Cell<u64>,
 }
 
 /// How the sign of a formula is found.
@@ -54,6 +55,12 @@ pub struct FilterOnly;
 /// Plain floats without an error bound: for measurements.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Plain;
+
+/// Evaluates every step that is sound for the scene, answers with the last
+/// and counts under `ladder-disagreements` where one of them differed: for
+/// tests, where that counter must stay zero. Slow.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Thorough;
 
 impl Policy for Exact {
     const NAME: &'static str = "exact";
@@ -89,6 +96,26 @@ impl Policy for Plain {
     #[inline(always)]
     fn decide<F: Formula>(points: &Points, formula: &F, _: &Tally) -> Sign {
         Sign::of(formula.evaluate::<f64>(points))
+    }
+}
+
+impl Policy for Thorough {
+    const NAME: &'static str = "thorough";
+
+    fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
+        let truth = formula.evaluate::<BigInteger>(points).sign();
+        let bits = formula.bits(points.spread());
+        let filtered = if points.floats_hold(bits) { value.sign() } else { None };
+        let mut agree = filtered.is_none_or(|sign| sign == truth);
+        if points.is_narrow() {
+            let holds = |width: u32| bits <= width;
+            agree &= !holds(192) || formula.evaluate::<FixedInteger<3>>(points).sign() == truth;
+            agree &= !holds(384) || formula.evaluate::<FixedInteger<6>>(points).sign() == truth;
+            agree &= !holds(768) || formula.evaluate::<FixedInteger<12>>(points).sign() == truth;
+            agree &= !holds(1792) || formula.evaluate::<FixedInteger<28>>(points).sign() == truth;
+        }
+        tally.disagreements.set(tally.disagreements.get() + u64::from(!agree));
+        truth
     }
 }
 
@@ -135,6 +162,9 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// Filter failures so far, by predicate.
     pub fn counters(&self) -> Counters {
         let mut counters = Counters::default();
+        if self.tally.disagreements.get() > 0 {
+            counters.add("ladder-disagreements", self.tally.disagreements.get());
+        }
         for (i, [failures, big]) in Predicate::COUNTERS.iter().enumerate() {
             for (name, cell) in [(failures, &self.tally.failures[i]), (big, &self.tally.big[i])] {
                 if cell.get() > 0 {

@@ -5,7 +5,8 @@
 //! coordinates and its eye, [`Formula`] a polynomial, a [`Policy`] decides
 //! its sign: [`Exact`] climbs a ladder of number types until the sign is
 //! certain, [`FilterOnly`] and [`Plain`] stop at floats and exist to
-//! measure what exactness costs and buys. [`Predicates`] puts the three
+//! measure what exactness costs and buys; [`Thorough`] climbs to the top
+//! every time and counts where two steps differ. [`Predicates`] puts the three
 //! together and counts how often the filter failed.
 //!
 //! Conventions. `[p, q, r, s]` is the 4 x 4 determinant with homogeneous
@@ -37,5 +38,5 @@ pub use collinear::are_collinear;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
-pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates};
+pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough};
 pub use points::Points;

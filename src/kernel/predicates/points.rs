@@ -11,7 +11,7 @@
 //! stay as they are and are decided by big integers alone.
 
 use super::{Eye, NearPlane};
-use crate::kernel::numbers::Ring;
+use crate::kernel::numbers::{Ring, scale_by_power_of_two};
 use crate::run::{fill_indexed, map_chunks};
 use glam::DVec3;
 
@@ -73,6 +73,23 @@ fn divide_by_unit(value: f64, unit: i32) -> f64 {
     value * f64::powi(2.0, half) * f64::powi(2.0, -unit - half)
 }
 
+/// `distance * |forward|` as a float times a power of two: forward is
+/// brought near one first, so that its length is in range, whatever it is.
+fn near_offset(plane: NearPlane, forward_above: i32) -> (f64, i64) {
+    if forward_above == i32::MIN {
+        return (0.0, 0);
+    }
+    let exponent = forward_above - 1;
+    let forward = plane.forward.to_array().map(|x| divide_by_unit(x, exponent));
+    (plane.distance * DVec3::from(forward).length(), i64::from(exponent))
+}
+
+/// The bits of `value * 2^exponent` above the place `2^unit`.
+fn bits_above((value, exponent): (f64, i64), unit: i32) -> u32 {
+    let above = BitRange::of([DVec3::splat(value)]).above;
+    (i64::from(above) + exponent - i64::from(unit)).max(0) as u32
+}
+
 /// The forward direction and offset of a near plane, scaled.
 #[derive(Debug, Clone, Copy)]
 struct ScaledNear {
@@ -111,10 +128,20 @@ impl Points {
             directions = eye_range;
         }
         let forward_range = near.map_or(BitRange::EMPTY, |plane| BitRange::of([plane.forward]));
-        let spread = points.width().max(directions.width()).max(forward_range.width());
+        // The near plane's offset counts whole units of forward times whole
+        // units of the scene; a formula allows it twice the bits of either.
+        let both = points.unit() + forward_range.unit();
+        let offset = near.map_or((0.0, 0), |plane| near_offset(plane, forward_range.above));
+        let spread = points
+            .width()
+            .max(directions.width())
+            .max(forward_range.width())
+            .max(bits_above(offset, both).div_ceil(2));
         let narrow = spread <= NARROW;
+        // Adding zero makes one zero of the two, so that order by
+        // coordinates agrees with equality.
         let shift = |value: f64, unit: i32| {
-            if narrow { divide_by_unit(value, unit) } else { value }
+            if narrow { divide_by_unit(value, unit) + 0.0 } else { value + 0.0 }
         };
         let shift3 = |v: DVec3, unit: i32| v.to_array().map(|x| shift(x, unit));
         let kept_unit = |unit: i32| if narrow { 0 } else { unit };
@@ -129,15 +156,16 @@ impl Points {
             eye_unit: kept_unit(eye_range.unit()),
             perspective: eye.is_perspective(),
             near: near.map(|plane| {
-                let (unit, forward_unit) = (points.unit(), forward_range.unit());
-                let offset = plane.distance * plane.forward.length();
-                // The plane's offset counts whole units of forward times
-                // whole units of the scene.
-                let both = unit + forward_unit;
+                let forward_unit = forward_range.unit();
+                let (value, exponent) = offset;
                 ScaledNear {
                     forward: shift3(plane.forward, forward_unit),
                     forward_unit: kept_unit(forward_unit),
-                    offset: if narrow { divide_by_unit(offset, both).floor() } else { offset },
+                    offset: if narrow {
+                        scale_by_power_of_two(value, exponent - i64::from(both)).floor()
+                    } else {
+                        scale_by_power_of_two(value, exponent)
+                    },
                     offset_unit: kept_unit(both),
                 }
             }),
