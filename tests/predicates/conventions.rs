@@ -41,17 +41,11 @@ fn conventions_hold<P: Policy>(eye: Eye) {
     assert_eq!(predicates.plane(face, 4), -predicates.facing(face));
     assert_eq!(predicates.plane([0, 2, 1], 3), predicates.facing([0, 2, 1]));
     assert_eq!(predicates.plane(face, 6), Zero);
-    assert_eq!(
-        predicates.value_sign(Cut::Face(face), Point::Vertex(3)),
-        Positive
-    );
+    assert_eq!(predicates.value_sign(Cut::Face(face), Point::Vertex(3)), Positive);
     // Inside the image is left of all three edges.
     for [p, q] in [[0, 1], [1, 2], [2, 0]] {
         assert_eq!(predicates.side(p, q, 3), Positive);
-        assert_eq!(
-            predicates.value_sign(Cut::Silhouette([p, q]), Point::Vertex(3)),
-            Positive
-        );
+        assert_eq!(predicates.value_sign(Cut::Silhouette([p, q]), Point::Vertex(3)), Positive);
     }
 }
 
@@ -86,10 +80,7 @@ fn shadow_volume_has_no_part_behind_the_eye() {
     // Vertex 5 is behind the eye at z = 10 and on the eye's side of the plane.
     let points = Points::new(&triangle_and_points(), AT, None);
     let predicates = Predicates::<Exact>::new(&points);
-    assert_eq!(
-        predicates.plane([0, 1, 2], 5),
-        -predicates.facing([0, 1, 2])
-    );
+    assert_eq!(predicates.plane([0, 1, 2], 5), -predicates.facing([0, 1, 2]));
 }
 
 #[test]
@@ -105,10 +96,7 @@ fn cuts_are_passed_in_order_even_from_behind_the_eye() {
         dvec3(9.0, -9.0, -8.0),
         dvec3(0.0, 9.0, -8.0),
     ];
-    let near = NearPlane {
-        forward: dvec3(0.0, 0.0, -2.0),
-        distance: 1.0,
-    };
+    let near = NearPlane { forward: dvec3(0.0, 0.0, -2.0), distance: 1.0 };
     let points = Points::new(&vertices, AT, Some(near));
     let predicates = Predicates::<Exact>::new(&points);
     let carrier = Carrier::edge(0, 1);
@@ -122,39 +110,22 @@ fn cuts_are_passed_in_order_even_from_behind_the_eye() {
         }
     }
     // z = 9 of 20 .. -10.
-    assert_eq!(
-        predicates.parameter(carrier, Cut::Near, &values[0]),
-        11.0 / 30.0
-    );
-    assert_eq!(
-        predicates.parameter(carrier, cuts[2], &values[2]),
-        28.0 / 30.0
-    );
+    assert_eq!(predicates.parameter(carrier, Cut::Near, &values[0]), 11.0 / 30.0);
+    assert_eq!(predicates.parameter(carrier, cuts[2], &values[2]), 28.0 / 30.0);
 }
 
 #[test]
 fn near_plane_far_beyond_the_scene_is_still_exact() {
-    let vertices = [
-        dvec3(0.0, 0.0, 0.0),
-        dvec3(0.1, 0.0, -2e200),
-        dvec3(0.0, 0.3, -0.5e200),
-    ];
+    let vertices = [dvec3(0.0, 0.0, 0.0), dvec3(0.1, 0.0, -2e200), dvec3(0.0, 0.3, -0.5e200)];
     let forward = dvec3(0.0, 0.0, -1e-200);
-    let near = NearPlane {
-        forward,
-        distance: 1e200,
-    };
+    let near = NearPlane { forward, distance: 1e200 };
     let points = Points::new(&vertices, AT, Some(near));
     let predicates = Predicates::<Exact>::new(&points);
     let signs = [0, 1, 2].map(|i| predicates.value_sign(Cut::Near, Point::Vertex(i)));
     assert_eq!(signs, [Negative, Positive, Negative]);
 
     // A scene of one bit with a long direction: the offset alone is wide.
-    let vertices = [
-        dvec3(0.0, 0.0, 0.0),
-        dvec3(0.0, 0.0, -2.0),
-        dvec3(0.0, 0.0, -4.0),
-    ];
+    let vertices = [dvec3(0.0, 0.0, 0.0), dvec3(0.0, 0.0, -2.0), dvec3(0.0, 0.0, -4.0)];
     let forward = dvec3(0.0, 0.0, -f64::powi(2.0, 100) - f64::powi(2.0, 60));
     for (distance, expected) in [(13.0, Positive), (14.0, Zero), (1e60, Negative)] {
         let points = Points::new(&vertices, AT, Some(NearPlane { forward, distance }));
@@ -169,19 +140,9 @@ fn near_plane_with_more_bits_than_one_word_pair_holds() {
     // has two hundred.
     let small = f64::powi(2.0, -50);
     let big = f64::powi(2.0, 50);
-    let vertices = [
-        dvec3(small, 0.0, 0.0),
-        dvec3(big, 0.0, 0.0),
-        dvec3(big / 2.0, small, 0.0),
-    ];
-    let near = NearPlane {
-        forward: dvec3(big, 0.0, 0.0),
-        distance: big / 2.0,
-    };
-    let tilted = NearPlane {
-        forward: dvec3(big, small, 0.0),
-        ..near
-    };
+    let vertices = [dvec3(small, 0.0, 0.0), dvec3(big, 0.0, 0.0), dvec3(big / 2.0, small, 0.0)];
+    let near = NearPlane { forward: dvec3(big, 0.0, 0.0), distance: big / 2.0 };
+    let tilted = NearPlane { forward: dvec3(big, small, 0.0), ..near };
     for near in [near, tilted] {
         let points = Points::new(&vertices, Eye::At(DVec3::ZERO), Some(near));
         let predicates = Predicates::<Exact>::new(&points);
@@ -189,44 +150,25 @@ fn near_plane_with_more_bits_than_one_word_pair_holds() {
         assert_eq!(signs, [Negative, Positive]);
     }
     let points = Points::new(&vertices, Eye::At(DVec3::ZERO), Some(near));
-    assert_eq!(
-        Predicates::<Exact>::new(&points).value_sign(Cut::Near, Point::Vertex(2)),
-        Zero
-    );
+    assert_eq!(Predicates::<Exact>::new(&points).value_sign(Cut::Near, Point::Vertex(2)), Zero);
 }
 
 #[test]
 fn order_along_an_image_compares_different_depths() {
     // Two edges over one another, seen from above.
-    let vertices = [
-        dvec3(0.0, 0.0, 0.0),
-        dvec3(4.0, 0.0, 0.0),
-        dvec3(3.0, 0.0, -5.0),
-        dvec3(1.0, 0.0, -2.0),
-    ];
+    let vertices =
+        [dvec3(0.0, 0.0, 0.0), dvec3(4.0, 0.0, 0.0), dvec3(3.0, 0.0, -5.0), dvec3(1.0, 0.0, -2.0)];
     let points = Points::new(&vertices, ABOVE, None);
     let predicates = Predicates::<Exact>::new(&points);
     let (upper, lower) = (Carrier::edge(0, 1), Carrier::edge(2, 3));
     let axis = predicates.axis_across(upper).unwrap();
     assert_ne!(axis, 0);
     let compare = |first, second| predicates.order_along_image(upper, axis, first, second);
-    assert_eq!(
-        compare((upper, Place::Start), (lower, Place::End)),
-        Ordering::Less
-    );
-    assert_eq!(
-        compare((lower, Place::Start), (lower, Place::End)),
-        Ordering::Greater
-    );
-    assert_eq!(
-        compare((lower, Place::Start), (upper, Place::End)),
-        Ordering::Less
-    );
+    assert_eq!(compare((upper, Place::Start), (lower, Place::End)), Ordering::Less);
+    assert_eq!(compare((lower, Place::Start), (lower, Place::End)), Ordering::Greater);
+    assert_eq!(compare((lower, Place::Start), (upper, Place::End)), Ordering::Less);
     let passing = Place::Cut(Cut::Vertex(2, 1));
-    assert_eq!(
-        compare((upper, passing), (lower, Place::Start)),
-        Ordering::Equal
-    );
+    assert_eq!(compare((upper, passing), (lower, Place::Start)), Ordering::Equal);
     assert_eq!(predicates.axis_across(Carrier::edge(1, 1)), None);
 }
 
@@ -247,15 +189,8 @@ fn common_line_of_two_faces_is_walked_between_piercings() {
     let predicates = Predicates::<Exact>::new(&points);
     // [0, 1, 2, x] is positive below.
     assert_eq!(predicates.plane([0, 1, 2], 4), Positive);
-    let pierce = |a, b| {
-        Point::Piercing(Piercing {
-            edge: [a, b],
-            face: [0, 1, 2],
-        })
-    };
-    let carrier = Carrier {
-        ends: [pierce(3, 4), pierce(5, 6)],
-    };
+    let pierce = |a, b| Point::Piercing(Piercing { edge: [a, b], face: [0, 1, 2] });
+    let carrier = Carrier { ends: [pierce(3, 4), pierce(5, 6)] };
     assert_eq!(predicates.image_side(carrier, 8), Positive);
     assert_eq!(predicates.image_side(carrier, 7), Negative);
     // The piercings weigh differently; the parameter does not show it.
@@ -274,40 +209,17 @@ fn common_line_of_two_faces_is_walked_between_piercings() {
 fn fold_is_what_lacks_to_a_flat_angle() {
     // Faces at the x axis: one backwards along -y, the other folded up.
     let fold = |y: f64, z: f64, degrees: f64| {
-        let vertices = [
-            DVec3::ZERO,
-            DVec3::X,
-            dvec3(0.3, -2.0, 0.0),
-            dvec3(0.7, y, z),
-        ];
+        let vertices = [DVec3::ZERO, DVec3::X, dvec3(0.3, -2.0, 0.0), dvec3(0.7, y, z)];
         let points = Points::new(&vertices, ABOVE, None);
         let predicates = Predicates::<Exact>::new(&points);
-        Fold::measure(
-            &predicates,
-            [0, 1],
-            [2, 3],
-            FoldThreshold::from_degrees(degrees),
-        )
-        .exceeds
+        Fold::measure(&predicates, [0, 1], [2, 3], FoldThreshold::from_degrees(degrees)).exceeds
     };
     assert!(!fold(1.0, 0.0, 0.0), "coplanar is no fold");
     assert!(fold(1.0, 1e-9, 0.0), "any fold exceeds zero");
-    assert!(
-        fold(1.0, 1.0, 44.0) && !fold(1.0, 1.0, 46.0),
-        "forty-five degrees"
-    );
-    assert!(
-        fold(0.0, 1.0, 89.0) && !fold(0.0, 1.0, 91.0),
-        "a right angle"
-    );
-    assert!(
-        fold(-1.0, 1.0, 134.0) && !fold(-1.0, 1.0, 136.0),
-        "a sharp ridge"
-    );
-    assert!(
-        fold(-1.0, 0.0, 179.0) && !fold(-1.0, 0.0, 180.0),
-        "folded flat onto itself"
-    );
+    assert!(fold(1.0, 1.0, 44.0) && !fold(1.0, 1.0, 46.0), "forty-five degrees");
+    assert!(fold(0.0, 1.0, 89.0) && !fold(0.0, 1.0, 91.0), "a right angle");
+    assert!(fold(-1.0, 1.0, 134.0) && !fold(-1.0, 1.0, 136.0), "a sharp ridge");
+    assert!(fold(-1.0, 0.0, 179.0) && !fold(-1.0, 0.0, 180.0), "folded flat onto itself");
 }
 
 #[test]

@@ -57,9 +57,7 @@ impl<'p> Bench<'p> {
             let [a, b] = self.vertices();
             return Carrier::edge(a, b);
         }
-        Carrier {
-            ends: [self.point(), self.point()],
-        }
+        Carrier { ends: [self.point(), self.point()] }
     }
 
     fn cut(&mut self) -> Cut {
@@ -102,11 +100,7 @@ fn on_picks(
 ) -> Result<(), TestCaseError> {
     let points = Points::new(&scene.vertices, scene.eye, scene.near);
     if let Kind::Limit(bits) = kind {
-        prop_assert!(
-            points.spread() + 2 > bits as u32,
-            "{} bits",
-            points.spread()
-        );
+        prop_assert!(points.spread() + 2 > bits as u32, "{} bits", points.spread());
     }
     let mut bench = Bench::new(&points, &scene, seed);
     for _ in 0..picks {
@@ -365,13 +359,7 @@ fn fold_exceeds(product: &IBig, squares: &IBig, cosine: &IBig) -> bool {
 
 /// Kinds in which points in one plane with the eye can be represented.
 fn image_lines() -> impl Strategy<Value = (Kind, u64)> {
-    let kinds = [
-        Kind::Grid,
-        Kind::Random,
-        Kind::Far,
-        Kind::Limit(60),
-        Kind::Wide,
-    ];
+    let kinds = [Kind::Grid, Kind::Random, Kind::Far, Kind::Limit(60), Kind::Wide];
     (prop::sample::select(kinds.to_vec()), any::<u64>())
 }
 

@@ -24,49 +24,29 @@ pub(crate) fn integer(value: f64, places: i32) -> IBig {
     let bits = value.to_bits();
     let field = (bits >> 52 & 0x7ff) as i32;
     let fraction = bits & ((1 << 52) - 1);
-    let (mantissa, exponent) = if field == 0 {
-        (fraction, -1074)
-    } else {
-        (fraction + (1 << 52), field - 1075)
-    };
+    let (mantissa, exponent) =
+        if field == 0 { (fraction, -1074) } else { (fraction + (1 << 52), field - 1075) };
     let shift = exponent + places;
     let magnitude = if shift >= 0 {
         IBig::from(mantissa) << shift as usize
     } else {
         let divisor = IBig::from(1) << (-shift) as usize;
         let quotient = IBig::from(mantissa) / &divisor;
-        assert_eq!(
-            &quotient * divisor,
-            IBig::from(mantissa),
-            "{value} has more places"
-        );
+        assert_eq!(&quotient * divisor, IBig::from(mantissa), "{value} has more places");
         quotient
     };
-    if bits >> 63 == 1 {
-        -magnitude
-    } else {
-        magnitude
-    }
+    if bits >> 63 == 1 { -magnitude } else { magnitude }
 }
 
 /// How many binary places these numbers need.
 fn places(values: impl IntoIterator<Item = f64>) -> i32 {
     let of = |value: f64| {
         let bits = value.abs().to_bits();
-        let mantissa = if bits >> 52 == 0 {
-            bits
-        } else {
-            bits & ((1 << 52) - 1) | 1 << 52
-        };
+        let mantissa = if bits >> 52 == 0 { bits } else { bits & ((1 << 52) - 1) | 1 << 52 };
         let exponent = ((bits >> 52) as i32).max(1) - 1075;
         -(exponent + mantissa.trailing_zeros() as i32)
     };
-    values
-        .into_iter()
-        .filter(|value| *value != 0.0)
-        .map(of)
-        .max()
-        .unwrap_or(0)
+    values.into_iter().filter(|value| *value != 0.0).map(of).max().unwrap_or(0)
 }
 
 fn row(point: DVec3, places: i32, w: i64) -> Row {
@@ -91,15 +71,9 @@ impl Reference {
             row(eye, self::places(eye.to_array()), 0)
         };
         Reference {
-            vertices: scene
-                .vertices
-                .iter()
-                .map(|vertex| row(*vertex, places, 1))
-                .collect(),
+            vertices: scene.vertices.iter().map(|vertex| row(*vertex, places, 1)).collect(),
             eye,
-            near: scene
-                .near
-                .map(|near| near_plane(near.forward, near.distance, places)),
+            near: scene.near.map(|near| near_plane(near.forward, near.distance, places)),
         }
     }
 
@@ -109,22 +83,12 @@ impl Reference {
 
     /// `[E, p, q, r]`.
     pub(crate) fn side(&self, p: u32, q: u32, r: u32) -> Sign {
-        sign(&bracket([
-            &self.eye,
-            &self.vertex(p),
-            &self.vertex(q),
-            &self.vertex(r),
-        ]))
+        sign(&bracket([&self.eye, &self.vertex(p), &self.vertex(q), &self.vertex(r)]))
     }
 
     /// `[t0, t1, t2, x]`.
     pub(crate) fn plane(&self, [a, b, c]: [u32; 3], x: u32) -> Sign {
-        sign(&bracket([
-            &self.vertex(a),
-            &self.vertex(b),
-            &self.vertex(c),
-            &self.vertex(x),
-        ]))
+        sign(&bracket([&self.vertex(a), &self.vertex(b), &self.vertex(c), &self.vertex(x)]))
     }
 
     /// The point, constructed.
@@ -175,11 +139,7 @@ impl Reference {
         let first = self.functional(cut, &start) * &end[3];
         let last = self.functional(cut, &end) * &start[3];
         let span = &first - last;
-        if span.sign() == IntegerSign::Negative {
-            [-first, -span]
-        } else {
-            [first, span]
-        }
+        if span.sign() == IntegerSign::Negative { [-first, -span] } else { [first, span] }
     }
 
     /// The order of two cuts along a carrier.
@@ -197,12 +157,7 @@ impl Reference {
             Place::Cut(cut) => {
                 let first = self.functional(cut, &start) * &end[3];
                 let last = self.functional(cut, &end) * &start[3];
-                between(
-                    &affine(&start, &end[3]),
-                    &affine(&end, &start[3]),
-                    &first,
-                    &last,
-                )
+                between(&affine(&start, &end[3]), &affine(&end, &start[3]), &first, &last)
             }
         }
     }
@@ -211,13 +166,8 @@ impl Reference {
     /// a plane across the view.
     fn ray(&self, x: &Row) -> [IBig; 3] {
         let [ex, ey, ez, ew] = &self.eye;
-        [(0, ex), (1, ey), (2, ez)].map(|(i, e)| {
-            if ew == &IBig::ZERO {
-                x[i].clone()
-            } else {
-                &x[i] - e * &x[3]
-            }
-        })
+        [(0, ex), (1, ey), (2, ez)]
+            .map(|(i, e)| if ew == &IBig::ZERO { x[i].clone() } else { &x[i] - e * &x[3] })
     }
 
     /// Whether two points lie on one line with the eye.
@@ -272,11 +222,7 @@ pub(crate) fn isqrt(value: &IBig) -> IBig {
 /// The point of the line through `a` and `b` at which a functional with
 /// these values is zero.
 fn between(a: &Row, b: &Row, at_a: &IBig, at_b: &IBig) -> Row {
-    let flip = if at_a < at_b {
-        IBig::from(-1)
-    } else {
-        IBig::from(1)
-    };
+    let flip = if at_a < at_b { IBig::from(-1) } else { IBig::from(1) };
     [0, 1, 2, 3].map(|i| &flip * (at_a * &b[i] - at_b * &a[i]))
 }
 

@@ -110,11 +110,7 @@ impl Kind {
     }
 
     fn vector(self, draw: &mut Draw) -> DVec3 {
-        dvec3(
-            self.coordinate(draw),
-            self.coordinate(draw),
-            self.coordinate(draw),
-        )
+        dvec3(self.coordinate(draw), self.coordinate(draw), self.coordinate(draw))
     }
 }
 
@@ -136,9 +132,7 @@ pub(crate) fn scene(kind: Kind, seed: u64) -> Scene {
     match kind {
         Kind::NearlyCoplanar => flatten(&mut vertices, &mut draw),
         Kind::RotatedMillimetres => rotate(&mut vertices),
-        Kind::Far => vertices
-            .iter_mut()
-            .for_each(|vertex| *vertex += dvec3(1e6, -1e6, 1e6)),
+        Kind::Far => vertices.iter_mut().for_each(|vertex| *vertex += dvec3(1e6, -1e6, 1e6)),
         // The lowest bit, so that the spread is what the kind says.
         Kind::Limit(_) => vertices[0].x = 1.0,
         _ => {}
@@ -157,36 +151,22 @@ pub(crate) fn scene(kind: Kind, seed: u64) -> Scene {
         _ => eye,
     };
     let near = matches!(eye, Eye::At(_)).then(|| near_plane(kind, &vertices, &mut draw));
-    Scene {
-        vertices,
-        eye,
-        near,
-    }
+    Scene { vertices, eye, near }
 }
 
 /// A near plane whose distance needs no rounding: a multiple of the
 /// scene's unit times a length that is a power of two, or zero.
 fn near_plane(kind: Kind, vertices: &[DVec3], draw: &mut Draw) -> NearPlane {
     if draw.below(2) == 0 {
-        return NearPlane {
-            forward: not_zero(kind.vector(draw)),
-            distance: 0.0,
-        };
+        return NearPlane { forward: not_zero(kind.vector(draw)), distance: 0.0 };
     }
     let sign = [1.0, -0.25][draw.below(2) as usize];
     let forward = DVec3::AXES[draw.below(3) as usize] * sign;
-    NearPlane {
-        forward,
-        distance: vertices[draw.vertex() as usize].x.abs(),
-    }
+    NearPlane { forward, distance: vertices[draw.vertex() as usize].x.abs() }
 }
 
 fn not_zero(vector: DVec3) -> DVec3 {
-    if vector == DVec3::ZERO {
-        DVec3::Z
-    } else {
-        vector
-    }
+    if vector == DVec3::ZERO { DVec3::Z } else { vector }
 }
 
 /// Moves all vertices into one plane, rounded, and some by one step.
@@ -196,11 +176,7 @@ fn flatten(vertices: &mut [DVec3], draw: &mut Draw) {
         let steps = [draw.integer(4) / 4.0, draw.unit()];
         *vertex = origin + right * steps[0] + up * steps[draw.below(2) as usize];
         if draw.below(3) == 0 {
-            vertex.z = if draw.below(2) == 0 {
-                vertex.z.next_up()
-            } else {
-                vertex.z.next_down()
-            };
+            vertex.z = if draw.below(2) == 0 { vertex.z.next_up() } else { vertex.z.next_down() };
         }
     }
 }
@@ -208,18 +184,12 @@ fn flatten(vertices: &mut [DVec3], draw: &mut Draw) {
 /// Turns by an angle about each of two axes.
 fn rotate(vertices: &mut [DVec3]) {
     let turn = glam::DMat3::from_rotation_x(0.7) * glam::DMat3::from_rotation_z(0.3);
-    vertices
-        .iter_mut()
-        .for_each(|vertex| *vertex = turn * *vertex);
+    vertices.iter_mut().for_each(|vertex| *vertex = turn * *vertex);
 }
 
 /// Scenes of all kinds, with a seed for picking among their vertices.
 pub(crate) fn scenes() -> impl Strategy<Value = (Kind, Scene, u64)> {
-    (
-        prop::sample::select(KINDS.to_vec()),
-        any::<u64>(),
-        any::<u64>(),
-    )
+    (prop::sample::select(KINDS.to_vec()), any::<u64>(), any::<u64>())
         .prop_map(|(kind, seed, picks)| (kind, scene(kind, seed), picks))
 }
 
