@@ -70,11 +70,9 @@ struct Dealt {
 
 fn half_edges(triangles: &[[u32; 3]], triangle: usize) -> [HalfEdge; 3] {
     let [a, b, c] = triangles[triangle];
-    [[a, b], [b, c], [c, a]].map(|[x, y]| HalfEdge {
-        low: x.min(y),
-        high: x.max(y),
-        triangle: triangle as u32,
-    })
+    let half_edge =
+        |x: u32, y: u32| HalfEdge { low: x.min(y), high: x.max(y), triangle: triangle as u32 };
+    [half_edge(a, b), half_edge(b, c), half_edge(c, a)]
 }
 
 fn deal(triangles: &[[u32; 3]], part: std::ops::Range<usize>, ranges: usize) -> Dealt {

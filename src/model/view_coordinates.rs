@@ -99,6 +99,7 @@ impl ViewCoordinates {
 
     /// Low and high coordinates (u, v, depth) of a vertex; nothing if it may
     /// lie on or behind the plane of a perspective eye.
+    #[inline]
     fn interval(&self, vertex: u32) -> Option<(DVec3, DVec3)> {
         let point = self.points[vertex as usize];
         match self.frame.projection {
@@ -136,10 +137,18 @@ impl ViewCoordinates {
             let Some((low, high)) = self.interval(vertex) else {
                 return self.bounds_across_eye(&vertices);
             };
-            let (low, high) = (low.to_array(), high.to_array());
+            let round = &self.rounding;
             let one = Bounds {
-                low: [0, 1, 2].map(|i| self.rounding.down(i, low[i], 0.0)),
-                high: [0, 1, 2].map(|i| self.rounding.up(i, high[i], 0.0)),
+                low: [
+                    round.down(0, low.x, 0.0),
+                    round.down(1, low.y, 0.0),
+                    round.down(2, low.z, 0.0),
+                ],
+                high: [
+                    round.up(0, high.x, 0.0),
+                    round.up(1, high.y, 0.0),
+                    round.up(2, high.z, 0.0),
+                ],
             };
             bounds = bounds.union(&one);
         }

@@ -23,10 +23,10 @@ impl Bounds {
     #[inline(always)]
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
-        Bounds {
-            low: [0, 1, 2].map(|i| self.low[i].min(other.low[i])),
-            high: [0, 1, 2].map(|i| self.high[i].max(other.high[i])),
-        }
+        let ([a, b, c], [x, y, z]) = (self.low, other.low);
+        let low = [a.min(x), b.min(y), c.min(z)];
+        let ([a, b, c], [x, y, z]) = (self.high, other.high);
+        Bounds { low, high: [a.max(x), b.max(y), c.max(z)] }
     }
 
     /// What lies in both.
@@ -41,18 +41,24 @@ impl Bounds {
     /// Whether the closed boxes share a point.
     #[inline(always)]
     pub fn overlaps(&self, other: &Self) -> bool {
-        (0..3).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
+        // All six are compared: cheaper than to branch on each.
+        (self.low[0] <= other.high[0])
+            & (other.low[0] <= self.high[0])
+            & (self.low[1] <= other.high[1])
+            & (other.low[1] <= self.high[1])
+            & (self.low[2] <= other.high[2])
+            & (other.low[2] <= self.high[2])
     }
 
     /// Whether the images overlap and something of this box may lie in
     /// front of something of `other`.
     #[inline(always)]
     pub fn may_hide(&self, other: &Self) -> bool {
-        self.low[0] <= other.high[0]
-            && other.low[0] <= self.high[0]
-            && self.low[1] <= other.high[1]
-            && other.low[1] <= self.high[1]
-            && self.low[2] <= other.high[2]
+        (self.low[0] <= other.high[0])
+            & (other.low[0] <= self.high[0])
+            & (self.low[1] <= other.high[1])
+            & (other.low[1] <= self.high[1])
+            & (self.low[2] <= other.high[2])
     }
 
     /// Whether there is nothing in the box.

@@ -228,9 +228,10 @@ impl SegmentProbe {
     #[inline(always)]
     pub fn may_meet_image(&self, other: &Bounds) -> bool {
         let [nx, ny] = self.normal;
-        let [x, y] = [0, 1].map(|i| other.low[i] * 0.5 + other.high[i] * 0.5 - self.start[i]);
-        let [ex, ey] = [0, 1].map(|i| other.high[i] * 0.5 - other.low[i] * 0.5);
-        let reach = nx.abs() * ex + ny.abs() * ey + self.slack;
+        let middle = |i: usize| other.low[i] * 0.5 + other.high[i] * 0.5;
+        let half = |i: usize| other.high[i] * 0.5 - other.low[i] * 0.5;
+        let (x, y) = (middle(0) - self.start[0], middle(1) - self.start[1]);
+        let reach = nx.abs() * half(0) + ny.abs() * half(1) + self.slack;
         // Written so that NaN says "maybe".
         !((nx * x + ny * y).abs() > reach)
     }

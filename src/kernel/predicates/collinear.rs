@@ -32,9 +32,9 @@ impl Formula for Minor {
 
 /// Whether three finite positions lie on one line, exactly.
 pub fn are_collinear(a: DVec3, b: DVec3, c: DVec3) -> bool {
-    let read = |p: DVec3| p.to_array().map(|x| Filtered::read(x, 0));
+    let read = |p: DVec3| [Filtered::read(p.x, 0), Filtered::read(p.y, 0), Filtered::read(p.z, 0)];
     let origin = read(a);
-    let [u, v] = [b, c].map(|p| difference(read(p), &origin));
+    let (u, v) = (difference(read(b), &origin), difference(read(c), &origin));
     // These leaves are no integers, so only the bound may be used, and
     // products that underflow are covered by the least normal float.
     let clear = |axis| {

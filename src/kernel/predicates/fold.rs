@@ -59,8 +59,8 @@ impl Formula for FoldFormula {
     #[inline(always)]
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         let origin = points.vertex::<R>(self.edge[0]);
-        let [edge, c, d] = [self.edge[1], self.thirds[0], self.thirds[1]]
-            .map(|i| difference(points.vertex(i), &origin));
+        let offset = |vertex| difference(points.vertex(vertex), &origin);
+        let (edge, c, d) = (offset(self.edge[1]), offset(self.thirds[0]), offset(self.thirds[1]));
         let m = cross(edge.clone(), c);
         let n = cross(edge, d);
         let product = dot(m.clone(), n.clone());

@@ -6,18 +6,18 @@
 //! begin with the word `solid` that should mark the text form, so the length
 //! decides: a file of exactly 84 + 50 n bytes for its own n is binary (no
 //! text can be: the n of four printable bytes exceeds half a thousand
-//! million). Facets are independent, so they are decoded in parallel,
-//! straight into place. Corners are not welded here; normals are not read,
-//! because the corners say all that is true.
+//! million). Facets are independent, so they are decoded in parallel.
+//! Corners are welded here only as far as it saves copies, for good later;
+//! normals are not read, because the corners say all that is true.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::ops::Range;
 
 use glam::DVec3;
 
 use super::super::{Faces, Soup};
 use super::error::{Fault, Read};
 use super::{Found, stl_text};
-use crate::run::map_indexed;
+use crate::run::map_chunks;
 
 const HEADER: usize = 84;
 const FACET: usize = 50;
@@ -70,31 +70,88 @@ fn read_binary(bytes: &[u8]) -> Read<Found> {
         found.warnings.push(format!("{surplus} bytes after the last facet are ignored"));
     }
     let (facets, _) = bytes[HEADER..expected as usize].as_chunks::<FACET>();
-    let vertices = corners(facets)?;
-    let corners = map_indexed(vertices.len(), |corner| corner as u32);
-    let faces = Faces::from_triangles(corners);
-    found.objects.push(Soup { vertices, faces, ..Soup::default() });
+    found.objects.push(soup_of(facets)?);
     Ok(found)
 }
 
-/// The corners of all facets. A number that is not finite only lowers the
-/// least offset of such numbers, so the loop needs no way out.
-fn corners(facets: &[[u8; FACET]]) -> Read<Vec<DVec3>> {
-    let first_wrong = AtomicUsize::new(usize::MAX);
-    let triangles = map_indexed(facets.len(), |facet| {
+/// Facets that one task decodes.
+const PART: usize = 1 << 15;
+
+/// Slots of the table of vertices seen lately: small enough for the cache of
+/// a core, large enough for the facets around a vertex to find it again.
+const SLOTS: usize = 1 << 14;
+
+/// What one task decodes.
+#[derive(Default)]
+struct Part {
+    vertices: Vec<DVec3>,
+    /// Number of the corner in the file from which each vertex was taken.
+    numbers: Vec<u32>,
+    corners: Vec<u32>,
+    /// The first facet with a number that is not finite.
+    wrong: Option<usize>,
+}
+
+/// Decodes all facets, in parallel.
+fn soup_of(facets: &[[u8; FACET]]) -> Read<Soup> {
+    let parts = map_chunks(facets.len(), PART, |part| decode_part(facets, part));
+    if let Some(facet) = parts.iter().find_map(|part| part.wrong) {
+        return Err(not_finite(facet, &decode(&facets[facet])));
+    }
+    let count = parts.iter().map(|part| part.vertices.len()).sum();
+    let mut vertices = Vec::with_capacity(count);
+    let mut numbers = Vec::with_capacity(count);
+    let mut corners = Vec::with_capacity(3 * facets.len());
+    for part in parts {
+        let offset = vertices.len() as u32;
+        vertices.extend_from_slice(&part.vertices);
+        numbers.extend_from_slice(&part.numbers);
+        corners.extend(part.corners.iter().map(|corner| corner + offset));
+    }
+    let faces = Faces::from_triangles(corners);
+    Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() })
+}
+
+/// Decodes some facets. Most vertices stand in the file six times, close to
+/// one another: a table of those seen lately keeps most copies from being
+/// made. What it misses is welded with everything else later.
+fn decode_part(facets: &[[u8; FACET]], range: Range<usize>) -> Part {
+    const EMPTY: u32 = u32::MAX;
+    let mut seen = vec![EMPTY; SLOTS];
+    let mut part = Part { corners: Vec::with_capacity(3 * range.len()), ..Part::default() };
+    for facet in range {
         let triangle = decode(&facets[facet]);
-        if !triangle.iter().all(|corner| corner.is_finite()) {
-            first_wrong.fetch_min(facet, Ordering::Relaxed);
+        if part.wrong.is_none() && !triangle.iter().all(|corner| corner.is_finite()) {
+            part.wrong = Some(facet);
         }
-        triangle
-    });
-    let facet = first_wrong.into_inner();
-    let Some(wrong) = triangles.get(facet) else { return Ok(triangles.into_flattened()) };
-    let numbers = wrong.iter().flat_map(|corner| corner.to_array());
+        for (i, &corner) in triangle.iter().enumerate() {
+            let slot = &mut seen[slot_of(corner)];
+            let known = part.vertices.get(*slot as usize).is_some_and(|&vertex| vertex == corner);
+            if !known {
+                *slot = part.vertices.len() as u32;
+                part.vertices.push(corner);
+                part.numbers.push((3 * facet + i) as u32);
+            }
+            part.corners.push(*slot);
+        }
+    }
+    part
+}
+
+/// The slot of a position. Equal positions have equal bits after adding 0.
+fn slot_of(position: DVec3) -> usize {
+    let [x, y, z] = (position + DVec3::ZERO).to_array().map(f64::to_bits);
+    let mixed = (x.rotate_left(5) ^ y).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(27) ^ z;
+    (mixed.wrapping_mul(0xd6e8_feb8_6659_fd93) >> 50) as usize
+}
+
+/// The error for a facet with a number that is not finite.
+fn not_finite(facet: usize, triangle: &[DVec3; 3]) -> Fault {
+    let numbers = triangle.iter().flat_map(|corner| corner.to_array());
     let number = numbers.take_while(|number| number.is_finite()).count();
     let offset = HEADER + FACET * facet + 12 + 4 * number;
     let message = format!("a coordinate of facet {facet} is not finite, expected a finite number");
-    Err(Fault::byte(offset, message))
+    Fault::byte(offset, message)
 }
 
 fn decode(facet: &[u8; FACET]) -> [DVec3; 3] {
@@ -102,5 +159,6 @@ fn decode(facet: &[u8; FACET]) -> [DVec3; 3] {
         let bytes = [facet[at], facet[at + 1], facet[at + 2], facet[at + 3]];
         f64::from(f32::from_le_bytes(bytes))
     };
-    [12, 24, 36].map(|at| DVec3::new(number(at), number(at + 4), number(at + 8)))
+    let corner = |at: usize| DVec3::new(number(at), number(at + 4), number(at + 8));
+    [corner(12), corner(24), corner(36)]
 }

@@ -114,7 +114,7 @@ impl<P: Policy> Walker<'_, P> {
         let corners = self.question.mesh.triangles()[triangle as usize];
         let mut covers = Sides::both(1);
         for i in 0..3 {
-            let [x, y, z] = [0, 1, 2].map(|j| corners[(i + j) % 3]);
+            let (x, y, z) = (corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
             // A corner of the triangle lies on the inner side of the
             // opposite edge.
             if walk.vertices[0] == Some(z) {

@@ -71,7 +71,8 @@ impl<P: Policy> Walker<'_, P> {
         if !first.sign.is_opposite(last.sign) {
             return None;
         }
-        let sides = [a, b].map(|vertex| self.predicates.image_side(walk.carrier, vertex));
+        let side = |vertex| self.predicates.image_side(walk.carrier, vertex);
+        let sides = [side(a), side(b)];
         if sides[0] == sides[1] {
             return None;
         }
@@ -142,7 +143,8 @@ impl<P: Policy> Walker<'_, P> {
             return None;
         }
         let edges = [[a, b], [b, c], [c, a]];
-        let passes = edges.map(|edge| self.predicates.skew(walk.carrier, edge));
+        let pass = |edge| self.predicates.skew(walk.carrier, edge);
+        let passes = [pass(edges[0]), pass(edges[1]), pass(edges[2])];
         if passes.contains(&Sign::Positive) && passes.contains(&Sign::Negative) {
             return None;
         }
