@@ -9,7 +9,9 @@
 use divan::Bencher;
 use glam::{DMat3, DVec3, dvec3};
 use std::fmt;
-use umriss::kernel::numbers::{BigInteger, FixedInteger, Ring, Sign, determinant3, difference};
+use umriss::kernel::numbers::{
+    BigInteger, FixedInteger, Ring, Sign, SmallInteger, determinant3, difference,
+};
 use umriss::kernel::predicates::{
     Carrier, Cut, Exact, Eye, FilterOnly, Plain, Points, Policy, Predicates,
 };
@@ -29,7 +31,12 @@ enum Input {
     Turned,
 }
 
-const INPUTS: [Input; 4] = [Input::Random, Input::Coplanar, Input::Aligned, Input::Turned];
+const INPUTS: [Input; 4] = [
+    Input::Random,
+    Input::Coplanar,
+    Input::Aligned,
+    Input::Turned,
+];
 
 impl fmt::Display for Input {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -81,7 +88,12 @@ fn groups(input: Input) -> Vec<[DVec3; 4]> {
         Input::Coplanar => {
             let (p, q) = (draw.floats(), draw.floats());
             let (s, t) = (draw.float() - 1.0, draw.float() - 1.0);
-            [eye, p, q, eye + (p - eye) * (s / 2.0) + (q - eye) * (t / 2.0)]
+            [
+                eye,
+                p,
+                q,
+                eye + (p - eye) * (s / 2.0) + (q - eye) * (t / 2.0),
+            ]
         }
         Input::Aligned | Input::Turned => {
             let axis = (draw.bits() % 3) as usize;
@@ -158,8 +170,8 @@ fn plane_of_a_wide_scene(bencher: Bencher<'_, '_>, input: Input) {
     run(bencher, |i| predicates.plane([i, i + 1, i + 2], i + 3));
 }
 
-/// Two cuts along the edge from point 1 to 2: the plane of a face and the
-/// image of an edge, both through point 3, whose values are known.
+/// Two faces that pierce an edge in its midpoint, as far as that is a
+/// float; in general position for random input. Their values are known.
 #[divan::bench(args = INPUTS, types = [Exact, FilterOnly, Plain])]
 fn order_of_cuts<P: Policy>(bencher: Bencher<'_, '_>, input: Input) {
     order::<P>(bencher, input, false);
@@ -171,15 +183,20 @@ fn order_of_cuts_of_a_wide_scene(bencher: Bencher<'_, '_>, input: Input) {
 }
 
 fn order<P: Policy>(bencher: Bencher<'_, '_>, input: Input, wide: bool) {
-    let vertices = vertices(input, wide);
-    let points = Points::new(&vertices, Eye::Towards(dvec3(0.3, -0.4, 0.8)), None);
+    let mut vertices = vertices(input, wide);
+    if !matches!(input, Input::Random) {
+        for k in (0..4 * CALLS).step_by(4) {
+            vertices[k + 3] = (vertices[k + 1] + vertices[k + 2]) / 2.0;
+        }
+    }
+    let points = Points::new(&vertices, Eye::Towards(dvec3(0.25, -0.5, 1.0)), None);
     let predicates = Predicates::<P>::new(&points);
     let cases: Vec<_> = (0..CALLS as u32)
         .map(|i| {
-            let (k, other) = (4 * i, 4 * ((i + 1) % CALLS as u32));
-            let carrier = Carrier::edge(k + 1, k + 2);
-            // Three lines through one image point wherever input is planar.
-            let cuts = [Cut::Silhouette([k + 3, other]), Cut::Silhouette([k + 3, other + 1])];
+            let other = |step| 4 * ((i + step) % CALLS as u32) + step % 3;
+            let carrier = Carrier::edge(4 * i + 1, 4 * i + 2);
+            let face = |step| Cut::Face([4 * i + 3, other(step), other(step + 7)]);
+            let cuts = [face(1), face(31)];
             let values = cuts.map(|cut| carrier.ends.map(|end| predicates.value(cut, end)));
             (carrier, cuts, values)
         })
@@ -196,7 +213,13 @@ fn order<P: Policy>(bencher: Bencher<'_, '_>, input: Input, wide: bool) {
 fn robust_orient3d(bencher: Bencher<'_, '_>, input: Input) {
     let groups: Vec<_> = groups(input)
         .into_iter()
-        .map(|group| group.map(|p| robust::Coord3D { x: p.x, y: p.y, z: p.z }))
+        .map(|group| {
+            group.map(|p| robust::Coord3D {
+                x: p.x,
+                y: p.y,
+                z: p.z,
+            })
+        })
         .collect();
     run(bencher, |i| {
         let [a, b, c, d] = groups[i as usize / 4];
@@ -208,11 +231,19 @@ fn robust_orient3d(bencher: Bencher<'_, '_>, input: Input) {
 /// to integers already.
 fn integers<R: Ring>(bencher: Bencher<'_, '_>, input: Input, sign: impl Fn(&R) -> Sign) {
     let scale = f64::powi(2.0, 60);
-    let groups: Vec<_> =
-        groups(input).iter().map(|group| group.map(|p| (p * scale).to_array())).collect();
+    let groups: Vec<_> = groups(input)
+        .iter()
+        .map(|group| group.map(|p| (p * scale).to_array()))
+        .collect();
     run(bencher, |i| {
-        let [a, b, c, d] = groups[i as usize / 4].map(|p| p.map(|x| R::read(x, 0)));
-        sign(&determinant3(difference(a, &d), difference(b, &d), difference(c, &d)))
+        let read = |[x, y, z]: [f64; 3]| [R::read(x, 0), R::read(y, 0), R::read(z, 0)];
+        let [a, b, c, d] = groups[i as usize / 4];
+        let (a, b, c, d) = (read(a), read(b), read(c), read(d));
+        sign(&determinant3(
+            difference(a, &d),
+            difference(b, &d),
+            difference(c, &d),
+        ))
     });
 }
 
@@ -224,6 +255,16 @@ fn integers_of_three_words(bencher: Bencher<'_, '_>, input: Input) {
 #[divan::bench(args = INPUTS)]
 fn integers_of_six_words(bencher: Bencher<'_, '_>, input: Input) {
     integers::<FixedInteger<6>>(bencher, input, FixedInteger::sign);
+}
+
+#[divan::bench(args = INPUTS)]
+fn complement_of_three_words(bencher: Bencher<'_, '_>, input: Input) {
+    integers::<SmallInteger<3>>(bencher, input, SmallInteger::sign);
+}
+
+#[divan::bench(args = INPUTS)]
+fn complement_of_six_words(bencher: Bencher<'_, '_>, input: Input) {
+    integers::<SmallInteger<6>>(bencher, input, SmallInteger::sign);
 }
 
 #[divan::bench(args = INPUTS)]

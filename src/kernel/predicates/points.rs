@@ -212,13 +212,16 @@ impl Points {
     /// The coordinates of a vertex, in units.
     #[inline(always)]
     pub(super) fn vertex<R: Ring>(&self, index: u32) -> [R; 3] {
-        self.vertices[index as usize].map(|x| R::read(x, self.unit))
+        // Written out, for `map` is not inlined everywhere.
+        let [x, y, z] = self.vertices[index as usize];
+        [R::read(x, self.unit), R::read(y, self.unit), R::read(z, self.unit)]
     }
 
     /// The direction or position of the eye, in its own unit.
     #[inline(always)]
     pub(super) fn eye<R: Ring>(&self) -> [R; 3] {
-        self.eye.map(|x| R::read(x, self.eye_unit))
+        let [x, y, z] = self.eye;
+        [R::read(x, self.eye_unit), R::read(y, self.eye_unit), R::read(z, self.eye_unit)]
     }
 
     /// Forward direction and offset of the near plane, if there is one.
