@@ -60,17 +60,12 @@ impl<const N: usize> SmallInteger<N> {
         // The sign of the short number counts for all words left out.
         let mask = if short.is_negative() { u64::MAX } else { 0 };
         let mut shifted = [0; N];
-        for i in 2..N {
-            shifted[i] = self.words[i - 2] & mask;
+        for (target, word) in shifted.iter_mut().skip(2).zip(&self.words) {
+            *target = word & mask;
         }
-        let mut borrow = false;
-        for i in 0..N {
-            let (partial, under) = words[i].overflowing_sub(shifted[i]);
-            let (word, again) = partial.overflowing_sub(u64::from(borrow));
-            words[i] = word;
-            borrow = under | again;
+        SmallInteger {
+            words: difference(&words, &shifted),
         }
-        SmallInteger { words }
     }
 
     /// The bits of the absolute value, or one less for a negative power of two.
@@ -81,6 +76,20 @@ impl<const N: usize> SmallInteger<N> {
             64 * (i + 1) - (self.words[i] ^ extension).leading_zeros() as usize
         })
     }
+}
+
+/// `a - b` modulo `2^(64 N)`.
+#[inline(always)]
+fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
+    let mut words = [0; N];
+    let mut borrow = false;
+    for (word, (a, b)) in words.iter_mut().zip(a.iter().zip(b)) {
+        let (partial, under) = a.overflowing_sub(*b);
+        let (rest, again) = partial.overflowing_sub(u64::from(borrow));
+        *word = rest;
+        borrow = under | again;
+    }
+    words
 }
 
 impl<const N: usize> Ring for SmallInteger<N> {
@@ -116,10 +125,10 @@ impl<const N: usize> Add for SmallInteger<N> {
     fn add(self, other: Self) -> Self {
         let mut words = [0; N];
         let mut carry = false;
-        for i in 0..N {
-            let (partial, over) = self.words[i].overflowing_add(other.words[i]);
-            let (word, again) = partial.overflowing_add(u64::from(carry));
-            words[i] = word;
+        for (word, (a, b)) in words.iter_mut().zip(self.words.iter().zip(&other.words)) {
+            let (partial, over) = a.overflowing_add(*b);
+            let (sum, again) = partial.overflowing_add(u64::from(carry));
+            *word = sum;
             carry = over | again;
         }
         let sum = SmallInteger { words };
@@ -136,15 +145,9 @@ impl<const N: usize> Sub for SmallInteger<N> {
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        let mut words = [0; N];
-        let mut borrow = false;
-        for i in 0..N {
-            let (partial, under) = self.words[i].overflowing_sub(other.words[i]);
-            let (word, again) = partial.overflowing_sub(u64::from(borrow));
-            words[i] = word;
-            borrow = under | again;
-        }
-        let rest = SmallInteger { words };
+        let rest = SmallInteger {
+            words: difference(&self.words, &other.words),
+        };
         debug_assert!(
             self.is_negative() == other.is_negative() || rest.is_negative() == self.is_negative(),
             "a difference exceeds the width"

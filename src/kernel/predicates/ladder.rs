@@ -129,10 +129,10 @@ fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
     let bits = formula.bits(points.spread());
     if points.is_narrow() {
         match bits {
-            ..=191 => return formula.evaluate::<SmallInteger<3>>(points).sign(),
-            ..=383 => return formula.evaluate::<SmallInteger<6>>(points).sign(),
-            ..=768 => return formula.evaluate::<FixedInteger<12>>(points).sign(),
-            ..=1792 => return formula.evaluate::<FixedInteger<28>>(points).sign(),
+            0..=191 => return formula.evaluate::<SmallInteger<3>>(points).sign(),
+            192..=383 => return formula.evaluate::<SmallInteger<6>>(points).sign(),
+            384..=768 => return formula.evaluate::<FixedInteger<12>>(points).sign(),
+            769..=1792 => return formula.evaluate::<FixedInteger<28>>(points).sign(),
             _ => {}
         }
     }
