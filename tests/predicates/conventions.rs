@@ -161,7 +161,7 @@ fn order_along_an_image_compares_different_depths() {
     let points = Points::new(&vertices, ABOVE, None);
     let predicates = Predicates::<Exact>::new(&points);
     let (upper, lower) = (Carrier::edge(0, 1), Carrier::edge(2, 3));
-    let axis = predicates.axis_across(upper).unwrap();
+    let axis = predicates.axis_across(upper).expect("an edge seen from the side");
     assert_ne!(axis, 0);
     let compare = |first, second| predicates.order_along_image(upper, axis, first, second);
     assert_eq!(compare((upper, Place::Start), (lower, Place::End)), Ordering::Less);

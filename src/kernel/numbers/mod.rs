@@ -4,19 +4,21 @@
 //! A predicate is the sign of a polynomial in the input coordinates. The
 //! polynomial is written once, generic over [`Ring`], and evaluated with
 //! one number type after the other until the sign is certain: first
-//! [`Filtered`], then a [`FixedInteger`] that is wide enough, then
-//! [`BigInteger`]. All rounding analysis of the crate is in [`Filtered`].
+//! [`Filtered`], then a [`SmallInteger`] or [`FixedInteger`] that is wide
+//! enough, then [`BigInteger`]. All rounding analysis of the crate is in [`Filtered`].
 
 mod big;
 mod filtered;
 mod fixed;
 mod sign;
+mod small;
 
 pub use big::BigInteger;
 pub(crate) use big::scale_by_power_of_two;
 pub use filtered::Filtered;
 pub use fixed::FixedInteger;
 pub use sign::Sign;
+pub use small::SmallInteger;
 
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -5,7 +5,7 @@ use super::formula::{
     Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
-use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign};
+use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign, SmallInteger};
 use crate::run::Counters;
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -109,6 +109,8 @@ impl Policy for Thorough {
         let mut agree = filtered.is_none_or(|sign| sign == truth);
         if points.is_narrow() {
             let holds = |width: u32| bits <= width;
+            agree &= !holds(191) || formula.evaluate::<SmallInteger<3>>(points).sign() == truth;
+            agree &= !holds(383) || formula.evaluate::<SmallInteger<6>>(points).sign() == truth;
             agree &= !holds(192) || formula.evaluate::<FixedInteger<3>>(points).sign() == truth;
             agree &= !holds(384) || formula.evaluate::<FixedInteger<6>>(points).sign() == truth;
             agree &= !holds(768) || formula.evaluate::<FixedInteger<12>>(points).sign() == truth;
@@ -128,10 +130,10 @@ fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
     let bits = formula.bits(points.spread());
     if points.is_narrow() {
         match bits {
-            ..=192 => return formula.evaluate::<FixedInteger<3>>(points).sign(),
-            ..=384 => return formula.evaluate::<FixedInteger<6>>(points).sign(),
-            ..=768 => return formula.evaluate::<FixedInteger<12>>(points).sign(),
-            ..=1792 => return formula.evaluate::<FixedInteger<28>>(points).sign(),
+            0..=191 => return formula.evaluate::<SmallInteger<3>>(points).sign(),
+            192..=383 => return formula.evaluate::<SmallInteger<6>>(points).sign(),
+            384..=768 => return formula.evaluate::<FixedInteger<12>>(points).sign(),
+            769..=1792 => return formula.evaluate::<FixedInteger<28>>(points).sign(),
             _ => {}
         }
     }

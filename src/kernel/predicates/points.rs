@@ -212,7 +212,7 @@ impl Points {
     /// The coordinates of a vertex, in units.
     #[inline(always)]
     pub(super) fn vertex<R: Ring>(&self, index: u32) -> [R; 3] {
-        // Written out, because a mapped array is not always taken apart.
+        // Written out, for `map` is not inlined everywhere.
         let [x, y, z] = self.vertices[index as usize];
         [R::read(x, self.unit), R::read(y, self.unit), R::read(z, self.unit)]
     }

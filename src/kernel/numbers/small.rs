@@ -1,0 +1,229 @@
+//! Integers of a few words in two's complement: the second step of the
+//! ladder where the value has at most six words.
+//!
+//! Sums run over all words and look at no sign and no length, so there is
+//! no branch to be mispredicted; on so few words that is worth more than
+//! the multiplications it wastes on leading words. Only a product of many
+//! words asks whether a factor has two, as coordinates and their
+//! differences do, and then takes half as many steps. Wider values are better off with [`super::FixedInteger`], which counts
+//! its words. Overflow is excluded by the caller; a debug build checks it.
+
+use super::{Ring, Sign};
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// An integer below `2^(64 N - 1)` in absolute value.
+#[derive(Debug, Clone, Copy)]
+pub struct SmallInteger<const N: usize> {
+    /// Least significant word first.
+    words: [u64; N],
+}
+
+impl<const N: usize> SmallInteger<N> {
+    /// The sign.
+    #[inline]
+    pub fn sign(&self) -> Sign {
+        if self.is_negative() {
+            Sign::Negative
+        } else if self.words.iter().all(|word| *word == 0) {
+            Sign::Zero
+        } else {
+            Sign::Positive
+        }
+    }
+
+    #[inline(always)]
+    fn is_negative(&self) -> bool {
+        self.words[N - 1] >> 63 == 1
+    }
+
+    /// Whether two words hold the number.
+    #[inline(always)]
+    fn is_short(&self) -> bool {
+        let extension = ((self.words[1] as i64) >> 63) as u64;
+        (2..N).fold(0, |differing, i| differing | (self.words[i] ^ extension)) == 0
+    }
+
+    /// `self * short` for a number that two words hold.
+    #[inline(always)]
+    fn times_short(self, short: Self) -> Self {
+        let mut words = [0; N];
+        for i in 0..2 {
+            let mut carry = 0_u64;
+            for j in 0..N - i {
+                let wide = u128::from(short.words[i]) * u128::from(self.words[j])
+                    + u128::from(words[i + j])
+                    + u128::from(carry);
+                words[i + j] = wide as u64;
+                carry = (wide >> 64) as u64;
+            }
+        }
+        // The sign of the short number counts for all words left out.
+        let mask = if short.is_negative() { u64::MAX } else { 0 };
+        let mut shifted = [0; N];
+        for (target, word) in shifted.iter_mut().skip(2).zip(&self.words) {
+            *target = word & mask;
+        }
+        SmallInteger { words: difference(&words, &shifted) }
+    }
+
+    /// The bits of the absolute value, or one less for a negative power of two.
+    fn bits(&self) -> usize {
+        let extension = if self.is_negative() { u64::MAX } else { 0 };
+        let used = (0..N).rev().find(|&i| self.words[i] != extension);
+        used.map_or(0, |i| 64 * (i + 1) - (self.words[i] ^ extension).leading_zeros() as usize)
+    }
+}
+
+/// `a - b` modulo `2^(64 N)`.
+#[inline(always)]
+fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
+    let mut words = [0; N];
+    let mut borrow = false;
+    for (word, (a, b)) in words.iter_mut().zip(a.iter().zip(b)) {
+        let (partial, under) = a.overflowing_sub(*b);
+        let (rest, again) = partial.overflowing_sub(u64::from(borrow));
+        *word = rest;
+        borrow = under | again;
+    }
+    words
+}
+
+impl<const N: usize> Ring for SmallInteger<N> {
+    #[inline(always)]
+    fn read(value: f64, _unit: i32) -> Self {
+        let bits = value.to_bits();
+        let exponent = ((bits >> 52) & 0x7ff) as usize;
+        let mantissa = (bits & ((1 << 52) - 1)) | 1 << 52;
+        let mut words = [0; N];
+        if exponent <= 1075 {
+            // Below 2^53; numbers below one are zero, for they are whole.
+            words[0] = mantissa.checked_shr(1075 - exponent as u32).unwrap_or(0);
+        } else {
+            let (word, shift) = ((exponent - 1075) / 64, (exponent - 1075) % 64);
+            words[word] = mantissa << shift;
+            // Shifted in two steps, for a shift by 64 is not defined.
+            let over = mantissa >> 1 >> (63 - shift);
+            if word + 1 < N {
+                words[word + 1] = over;
+            } else {
+                debug_assert!(over == 0, "a coordinate exceeds the width");
+            }
+        }
+        let number = SmallInteger { words };
+        if value < 0.0 { -number } else { number }
+    }
+}
+
+impl<const N: usize> Add for SmallInteger<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let mut words = [0; N];
+        let mut carry = false;
+        for (word, (a, b)) in words.iter_mut().zip(self.words.iter().zip(&other.words)) {
+            let (partial, over) = a.overflowing_add(*b);
+            let (sum, again) = partial.overflowing_add(u64::from(carry));
+            *word = sum;
+            carry = over | again;
+        }
+        let sum = SmallInteger { words };
+        debug_assert!(
+            self.is_negative() != other.is_negative() || sum.is_negative() == self.is_negative(),
+            "a sum exceeds the width"
+        );
+        sum
+    }
+}
+
+impl<const N: usize> Sub for SmallInteger<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        let rest = SmallInteger { words: difference(&self.words, &other.words) };
+        debug_assert!(
+            self.is_negative() == other.is_negative() || rest.is_negative() == self.is_negative(),
+            "a difference exceeds the width"
+        );
+        rest
+    }
+}
+
+impl<const N: usize> Mul for SmallInteger<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        debug_assert!(self.bits() + other.bits() <= 64 * N, "a product exceeds the width");
+        if N > 4 {
+            if self.is_short() {
+                return other.times_short(self);
+            }
+            if other.is_short() {
+                return self.times_short(other);
+            }
+        }
+        // The words of a product modulo 2^(64 N) do not depend on signs.
+        let mut words = [0; N];
+        for i in 0..N {
+            let mut carry = 0_u64;
+            for j in 0..N - i {
+                let wide = u128::from(self.words[i]) * u128::from(other.words[j])
+                    + u128::from(words[i + j])
+                    + u128::from(carry);
+                words[i + j] = wide as u64;
+                carry = (wide >> 64) as u64;
+            }
+        }
+        SmallInteger { words }
+    }
+}
+
+impl<const N: usize> Neg for SmallInteger<N> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        SmallInteger { words: [0; N] } - self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::numbers::BigInteger;
+    use proptest::prelude::*;
+
+    /// Whole floats below 2^60, and near their largest more often than not.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        let largest = f64::powi(2.0, 60) - 128.0;
+        let whole = (any::<i64>(), 0..8_u32)
+            .prop_map(|(bits, shift)| (bits >> 11) as f64 * f64::powi(2.0, shift as i32));
+        prop_oneof![whole, Just(largest), Just(-largest), -3.0..3.0_f64].prop_map(f64::trunc)
+    }
+
+    fn sample<R: Ring>([a, b, c, d, e, f]: [f64; 6], read: impl Fn(f64) -> R) -> R {
+        (read(a) - read(b)) * (read(c) + read(d)) * read(e) + -read(f) * read(a)
+    }
+
+    proptest! {
+        #[test]
+        fn small_and_big_integers_agree(x in prop::array::uniform6(coordinate())) {
+            let big = sample(x, |value| BigInteger::read(value, 0)).sign();
+            prop_assert_eq!(sample(x, |value| SmallInteger::<3>::read(value, 0)).sign(), big);
+            let scaled = x.map(|value| value * f64::powi(2.0, 65));
+            let big = sample(scaled, |value| BigInteger::read(value, 0)).sign();
+            prop_assert_eq!(sample(scaled, |value| SmallInteger::<6>::read(value, 0)).sign(), big);
+        }
+
+        #[test]
+        fn one_more_than_a_vanishing_difference_is_positive(a in coordinate(), b in coordinate()) {
+            let read = |value| SmallInteger::<3>::read(value, 0);
+            let rest = read(a) * read(b) - read(b) * read(a);
+            prop_assert_eq!(rest.sign(), Sign::Zero);
+            prop_assert_eq!((rest + read(1.0)).sign(), Sign::Positive);
+            prop_assert_eq!((rest - read(1.0)).sign(), Sign::Negative);
+        }
+    }
+}
