@@ -10,6 +10,8 @@ mod item_buffer;
 mod ray_cast;
 mod samples;
 mod sheets;
+#[cfg(test)]
+mod tests;
 
 pub use box_tree::BoxTree;
 pub use item_buffer::ItemBuffer;
