@@ -155,14 +155,22 @@ impl<'a, 'q, P: Policy> SheetCounter<'a, 'q, P> {
 
     /// The sign of a functional at the point, or just after it.
     fn germ(&self, carrier: Carrier, probe: Probe, cut: Cut) -> Sign {
-        if carrier.ends.iter().all(|&end| is_corner(cut, end)) {
-            return Sign::Zero;
+        let [start, end] = carrier.ends.map(|end| {
+            if is_corner(cut, end) {
+                Sign::Zero
+            } else {
+                self.predicates.value_sign(cut, end)
+            }
+        });
+        if !start.is_opposite(end) {
+            // Linear, and the point lies strictly between the ends.
+            return start.or(end);
         }
         let here = match probe {
             Probe::Weights(weights) => self.predicates.combination(carrier, weights, cut),
             Probe::Between(places) => self.predicates.between(carrier, places, cut),
         };
-        here.or(self.predicates.value_sign(cut, carrier.ends[1]))
+        here.or(end)
     }
 
     /// A box around a line.
