@@ -12,9 +12,10 @@
 
 use super::{BoxTree, ItemBuffer, Samples};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Points, Policy, Predicates};
+use crate::kernel::predicates::{Eye, Points, Policy, Predicates};
 use crate::model::{View, ViewCoordinates};
-use crate::run::{Cancelled, Run, map_chunks};
+use crate::run::{Cancelled, Run, map_chunks, map_indexed};
+use crate::spatial::Bounds;
 use crate::view::LineQuestion;
 use glam::DVec3;
 use std::cmp::Ordering;
@@ -79,9 +80,9 @@ pub fn ray_cast<P: Policy>(
 /// The boxes of all triangles that can hide something.
 pub(super) fn triangle_tree(question: &LineQuestion, coordinates: &ViewCoordinates) -> BoxTree {
     let triangles = question.mesh.triangles();
-    let boxes = crate::run::map_indexed(triangles.len(), |i| {
+    let boxes = map_indexed(triangles.len(), |i| {
         if question.facing[i].is_zero() {
-            crate::spatial::Bounds::EMPTY
+            Bounds::EMPTY
         } else {
             coordinates.bounds(triangles[i])
         }
@@ -107,7 +108,7 @@ impl Caster<'_, '_> {
         &self,
         predicates: &Predicates<'_, P>,
         sample: u32,
-        area: &crate::spatial::Bounds,
+        area: &Bounds,
     ) -> Option<u32> {
         let mut best: Option<u32> = None;
         self.tree.in_front(area, |triangle| {
@@ -156,8 +157,8 @@ impl Caster<'_, '_> {
         let x = self.vertices[sample as usize];
         let normal = (b - a).cross(c - a);
         let ray = match self.view.eye {
-            crate::kernel::predicates::Eye::At(eye) => eye - x,
-            crate::kernel::predicates::Eye::Towards(direction) => direction,
+            Eye::At(eye) => eye - x,
+            Eye::Towards(direction) => direction,
         };
         let along = normal.dot(a - x) / normal.dot(ray);
         self.view.frame.depth(x + ray * along)
