@@ -1,1 +1,191 @@
-//! To come.
+//! The proof of a drawing: every answer against the others.
+//!
+//! An answer is a list of pieces with their invisibility. Four checks, of
+//! which no two share code:
+//!
+//! - *cover*: the pieces are in order, without gap or overlap, maximal, and
+//!   reach from one end of each line to the other;
+//! - *count*: the sheets in front of one exact point of each piece, counted
+//!   afresh (see [`SheetCounter`](crate::raster::SheetCounter));
+//! - *judge*: the pieces against those of Roberts' method, places compared
+//!   exactly;
+//! - *image*: the middle of each piece against an image made by casting
+//!   rays. A sample beside the middle proves less, so middles near an edge
+//!   are left out and counted.
+//!
+//! The first three are exact: one difference is one defect.
+
+mod against_image;
+mod against_judge;
+mod cover;
+mod places;
+mod report;
+#[cfg(test)]
+mod tests;
+
+pub use report::{Check, Difference, DifferenceSegment, Report, Tally};
+
+use crate::kernel::predicates::Policy;
+use crate::model::View;
+use crate::raster::{Samples, SheetCounter, ray_cast};
+use crate::run::{Cancelled, Run, map_chunks};
+use crate::view::{ExactLines, ExactPiece, LineQuestion};
+use against_image::{ImageCheck, Verdict};
+use places::Places;
+use std::cmp::Ordering;
+
+/// Lines per task.
+const PART: usize = 128;
+
+/// How thorough a verification is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct VerifyOptions {
+    /// Up to this many triangles the judge sees all lines.
+    pub judge_all_up_to: usize,
+    /// Beyond, the judge sees this many lines.
+    pub judged_lines: usize,
+    /// What chooses them.
+    pub seed: u64,
+    /// Pixels along the longer side of the image; 0 leaves it out.
+    pub image_size: u32,
+}
+
+impl Default for VerifyOptions {
+    /// All lines up to 20 000 triangles, else 2000; an image of 1024 pixels.
+    fn default() -> Self {
+        VerifyOptions { judge_all_up_to: 20_000, judged_lines: 2000, seed: 1963, image_size: 1024 }
+    }
+}
+
+/// Checks an answer to a question asked for `view`.
+///
+/// O(lines x triangles) at worst for the judge's share, expected O(n log n)
+/// for the rest.
+///
+/// # Errors
+///
+/// If the run is cancelled.
+pub fn verify<P: Policy>(
+    view: &View,
+    question: &LineQuestion,
+    answer: &ExactLines,
+    options: &VerifyOptions,
+    run: &Run,
+) -> Result<Report, Cancelled> {
+    let mut report = Report::default();
+    if answer.len() != question.lines.len() {
+        let difference = Difference {
+            check: Check::Cover,
+            line: answer.len().min(question.lines.len()),
+            places: None,
+            what: format!("expected {} lines, answered {}", question.lines.len(), answer.len()),
+        };
+        report.differ(difference, &[]);
+        return Ok(report);
+    }
+    let vertices = question.mesh.vertices().len() as u32;
+    let samples = Samples::around(&view.frame, question.coordinates, vertices, options.image_size);
+    let image = match samples {
+        None => None,
+        Some(samples) => {
+            // What hides a line is not cut at the near plane.
+            let uncut = View { near: None, ..*view };
+            let buffer = ray_cast::<P>(&uncut, question, &samples, run)?;
+            Some(ImageCheck::new::<P>(question, samples, buffer))
+        }
+    };
+    let tree = SheetCounter::<P>::tree(question);
+    let count = question.lines.len();
+    let parts = run.stage("verify", count as u64, || {
+        map_chunks(count, PART, |part| {
+            run.check()?;
+            let units = part.len() as u64;
+            let worker = Worker {
+                question,
+                places: Places::<P>::new(question),
+                counter: SheetCounter::<P>::new(question, &tree),
+                image: image.as_ref(),
+            };
+            let mut report = Report::default();
+            for line in part {
+                worker.line(line, answer.line(line), &mut report);
+            }
+            run.merge(&worker.counter.counters());
+            run.advance(units);
+            Ok(report)
+        })
+    });
+    for part in parts {
+        report.append(part?);
+    }
+    report.append(against_judge::compare::<P>(question, answer, options, run)?);
+    Ok(report)
+}
+
+/// Checks the lines of one task.
+struct Worker<'a, 'q, P: Policy> {
+    question: &'a LineQuestion<'q>,
+    places: Places<'a, 'q, P>,
+    counter: SheetCounter<'a, 'q, P>,
+    image: Option<&'a ImageCheck>,
+}
+
+impl<P: Policy> Worker<'_, '_, P> {
+    fn line(&self, line: usize, pieces: &[ExactPiece], report: &mut Report) {
+        let places_are_on = pieces
+            .iter()
+            .all(|piece| self.places.is_on(line, piece.from) && self.places.is_on(line, piece.to));
+        let whole = if places_are_on { self.places.whole(line, pieces) } else { Vec::new() };
+        match cover::fault(&self.places, line, pieces) {
+            None => report.agree(Check::Cover, whole.iter().map(|[a, b]| a.distance(*b)).sum()),
+            Some(what) => {
+                let difference =
+                    Difference { check: Check::Cover, line, places: None, what: what.to_owned() };
+                report.differ(difference, &whole);
+            }
+        }
+        // Nothing can be asked about pieces that are none.
+        if places_are_on {
+            for piece in pieces {
+                self.piece(line, piece, report);
+            }
+        }
+    }
+
+    fn piece(&self, index: usize, piece: &ExactPiece, report: &mut Report) {
+        let places = [piece.from, piece.to];
+        if self.places.order(index, piece.from, piece.to) != Ordering::Less {
+            return;
+        }
+        let line = &self.question.lines[index];
+        let span = self.places.span(index, places);
+        let carrier = self.question.carrier(line);
+        let probe = self.counter.probe(carrier, places, 0.5);
+        let [left, right] = self.counter.count(line, probe);
+        let sheets = left.max(right);
+        let mut compare = |check, agrees: bool, expected: String| {
+            if agrees {
+                return report.agree(check, span[0].distance(span[1]));
+            }
+            let difference = Difference {
+                check,
+                line: index,
+                places: Some(places),
+                what: format!("expected {expected}, answered {} sheets", piece.invisibility),
+            };
+            report.differ(difference, &[span]);
+        };
+        compare(Check::Count, sheets == piece.invisibility, format!("{sheets} sheets"));
+        let Some(image) = self.image else {
+            return;
+        };
+        let [from, to] = places.map(|place| self.places.parameter(index, place));
+        let point = self.places.image_at(index, (from + to) * 0.5);
+        let hidden = piece.invisibility > 0;
+        match image.verdict(&self.counter, self.question, line, probe, point) {
+            Verdict::Hidden => compare(Check::Image, hidden, "a hidden piece".to_owned()),
+            Verdict::Visible => compare(Check::Image, !hidden, "a visible piece".to_owned()),
+            Verdict::Skipped => report.skip(Check::Image),
+        }
+    }
+}

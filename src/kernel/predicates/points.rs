@@ -90,6 +90,24 @@ fn bits_above((value, exponent): (f64, i64), unit: i32) -> u32 {
     (i64::from(above) + exponent - i64::from(unit)).max(0) as u32
 }
 
+/// Binary places that the offset of a near plane keeps at least.
+const OFFSET_BITS: i64 = 24;
+
+/// The range of a forward direction. The offset of the near plane is a
+/// multiple of the scene's unit times that of the direction, so that of the
+/// direction is made small enough for it: on a coarse grid a near plane
+/// would fall on the eye otherwise.
+fn forward_range(plane: NearPlane, unit: i32) -> BitRange {
+    let mut forward = BitRange::of([plane.forward]);
+    if forward.width() > 0 && plane.distance > 0.0 {
+        let (value, exponent) = near_offset(plane, forward.above);
+        let above = i64::from(BitRange::of([DVec3::splat(value)]).above) + exponent;
+        let needed = above - OFFSET_BITS - i64::from(unit);
+        forward.lowest = i64::from(forward.lowest).min(needed) as i32;
+    }
+    forward
+}
+
 /// The forward direction and offset of a near plane, scaled.
 #[derive(Debug, Clone, Copy)]
 struct ScaledNear {
@@ -127,7 +145,8 @@ impl Points {
         } else {
             directions = eye_range;
         }
-        let forward_range = near.map_or(BitRange::EMPTY, |plane| BitRange::of([plane.forward]));
+        let forward_range =
+            near.map_or(BitRange::EMPTY, |plane| forward_range(plane, points.unit()));
         // The near plane's offset counts whole units of forward times whole
         // units of the scene; a formula allows it twice the bits of either.
         let both = points.unit() + forward_range.unit();
@@ -242,5 +261,57 @@ impl Points {
     pub fn compare(&self, a: u32, b: u32) -> std::cmp::Ordering {
         let (a, b) = (&self.vertices[a as usize], &self.vertices[b as usize]);
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Cut, Exact, Point, Predicates};
+    use super::*;
+    use crate::kernel::numbers::Sign;
+
+    #[test]
+    fn a_near_plane_lies_in_front_of_the_eye_on_a_coarse_grid_too() {
+        for (distance, spread) in [(0.5, 64.0), (0.001, 64.0), (0.001, 1e9)] {
+            // Even coordinates: the scene's unit is two.
+            let depths = [0.0, distance * 0.99, distance * 1.01, 2.0];
+            for size in [1.0, f64::powi(2.0, -80), f64::powi(2.0, 80)] {
+                let eye = DVec3::new(2.0, 4.0, 6.0) * size;
+                let mut vertices = vec![eye, eye + DVec3::splat(spread * size)];
+                let coarse = NearPlane { forward: -DVec3::Z * size, distance: distance * size };
+                let signs: Vec<Sign> = depths
+                    .iter()
+                    .map(|depth| {
+                        // A vertex far off and one at this depth: the sign
+                        // at the latter shows where the plane is.
+                        vertices.truncate(2);
+                        let offset = -DVec3::Z * (depth * size);
+                        vertices.push(eye + offset);
+                        let points = Points::new(&vertices, Eye::At(eye), Some(coarse));
+                        Predicates::<Exact>::new(&points).value_sign(Cut::Near, Point::Vertex(2))
+                    })
+                    .collect();
+                use Sign::{Negative, Positive};
+                assert_eq!(signs, [Negative, Negative, Positive, Positive]);
+                let points = Points::new(&vertices[..2], Eye::At(eye), Some(coarse));
+                let at_eye =
+                    Predicates::<Exact>::new(&points).value_sign(Cut::Near, Point::Vertex(0));
+                assert_eq!(at_eye, Negative, "the eye lies behind its near plane");
+            }
+        }
+    }
+
+    #[test]
+    fn a_near_plane_far_beyond_the_scene_hides_all_of_it() {
+        let near = |distance| NearPlane { forward: DVec3::new(0.1, 0.2, -0.3), distance };
+        let vertices = [DVec3::new(3.0, 5.0, -7.0), DVec3::new(0.1, 0.7, 1e-9)];
+        for distance in [1e3, 1e30, 1e200, 1e308] {
+            let points = Points::new(&vertices, Eye::At(DVec3::ONE), Some(near(distance)));
+            let predicates = Predicates::<Exact>::new(&points);
+            for vertex in [0, 1] {
+                let sign = predicates.value_sign(Cut::Near, Point::Vertex(vertex));
+                assert_eq!(sign, Sign::Negative);
+            }
+        }
     }
 }

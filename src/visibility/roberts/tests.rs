@@ -91,7 +91,7 @@ fn a_line_behind_the_apex_of_a_fan_is_hidden_in_one_piece() {
 fn a_stack_of_squares_hides_as_often_as_it_is_high() {
     for height in [0, 1, 2, 3, 8, 31, 64] {
         let squares: Vec<[[f64; 3]; 4]> = (1..=height)
-            .map(|z| f64::from(z))
+            .map(f64::from)
             .map(|z| [[0., 0., z], [1., 0., z], [1., 1., z], [0., 1., z]])
             .collect();
         let faces: Vec<&[[f64; 3]]> = squares.iter().map(|square| &square[..]).collect();
