@@ -1,3 +1,74 @@
 //! The program `umriss`: reads flags, runs the library, writes files.
+//!
+//! One file per command; what commands share stands beside them: flags
+//! ([`model_flags`], [`camera_flags`], [`line_flags`], [`page_flags`]), reading
+//! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
+//! Only the public interface of the library is used, and no geometry is done
+//! here.
+//!
+//! Nothing is printed but what was asked for: results go to standard output
+//! or into files, everything else to standard error, one line each. The exit
+//! code is 0 if all went well, 1 if something failed, 2 if the command line
+//! makes no sense.
 
-fn main() {}
+mod camera_file;
+mod camera_flags;
+mod draw;
+mod failure;
+mod line_flags;
+mod model_flags;
+mod models;
+mod outputs;
+mod page_flags;
+mod progress;
+mod session;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use std::io::{Write, stderr, stdout};
+use std::process::ExitCode;
+
+/// Exact hidden-line drawings of 3D models.
+///
+/// Reads OBJ, STL, PLY, OFF, glTF and JSON polygon scenes; draws SVG, HPGL,
+/// JSON and PNG. Whether a line is hidden is decided exactly, never by a
+/// tolerance.
+#[derive(Parser)]
+#[command(name = "umriss", version, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Draw(Box<draw::Draw>),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Cli::try_parse() {
+        Ok(cli) => match cli.command {
+            Command::Draw(draw) => draw.run(),
+        },
+        Err(error) if !error.use_stderr() => print_help(&error),
+        Err(error) => Err(Failure::from(error)),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => report(&failure),
+    }
+}
+
+/// Help and version are what was asked for, so they go to standard output.
+fn print_help(help: &clap::Error) -> Result<(), Failure> {
+    outputs::print(help.render().to_string().as_bytes())
+}
+
+fn report(failure: &Failure) -> ExitCode {
+    if let Some(message) = failure.message() {
+        // Where standard error is closed too, nobody is left to be told.
+        let _ = writeln!(stderr(), "{message}");
+    }
+    let _ = stdout().flush();
+    failure.exit_code()
+}

@@ -1,0 +1,108 @@
+//! `umriss draw`: from models, or from a drawing computed before, to files.
+
+use crate::camera_flags::CameraFlags;
+use crate::failure::Failure;
+use crate::line_flags::{LineFlags, Method};
+use crate::model_flags::ModelFlags;
+use crate::models::{Subject, read_subject};
+use crate::outputs::OutputFlags;
+use crate::page_flags::PageFlags;
+use crate::session::RunFlags;
+use clap::Args;
+use std::path::PathBuf;
+use umriss::drawing::Drawing;
+use umriss::kernel::predicates::Exact;
+use umriss::model::Scene;
+use umriss::run::Run;
+use umriss::view::{PreparedView, VisibleLines};
+use umriss::visibility::reduce;
+
+const EXAMPLES: &str = "\
+Examples:
+  umriss draw part.stl -o part.svg
+  umriss draw house.obj trees.obj -o scene.svg -o scene.png --view iso-sw --hidden dashed
+  umriss draw part.glb -o part.hpgl --paper a3 --landscape --scale 1:2
+  umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
+  umriss draw part.obj -o part.json
+  umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
+  cat part.off | umriss draw - -o - --format svg > part.svg";
+
+/// Draw models without their hidden lines.
+///
+/// All models are one scene. A JSON drawing in their place is put on
+/// another page without computing it again; the page's --unit is that of
+/// the models it was made of.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Draw {
+    /// Models, or one JSON drawing; - is standard input
+    #[arg(value_name = "MODEL", required = true)]
+    models: Vec<PathBuf>,
+    #[command(flatten)]
+    outputs: OutputFlags,
+    #[command(flatten)]
+    model: ModelFlags,
+    #[command(flatten)]
+    camera: CameraFlags,
+    #[command(flatten)]
+    lines: LineFlags,
+    /// Method that finds visible lines [default: appel]
+    #[arg(long, value_enum, value_name = "M", help_heading = "Lines")]
+    method: Option<Method>,
+    #[command(flatten)]
+    page: PageFlags,
+    #[command(flatten)]
+    session: RunFlags,
+}
+
+impl Draw {
+    /// Runs the command.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let outputs = self.outputs.plan()?;
+        self.method.map_or(Ok(()), Method::check)?;
+        let (lines, drawing) = self.session.run(|run| self.draw(run))?;
+        outputs.write(&lines, &drawing, self.page.precision)
+    }
+
+    fn draw(&self, run: &Run<'_>) -> Result<(VisibleLines, Drawing), Failure> {
+        let (lines, unit) = match read_subject(&self.models, &self.model, &self.session, run)? {
+            Subject::Scene(scene) => (self.find_lines(&scene, run)?, scene.unit),
+            Subject::Drawing(lines) => {
+                self.refuse_flags_of_models()?;
+                let unit = self.model.unit.map(|name| name.unit()).unwrap_or_default();
+                (*lines, unit)
+            }
+        };
+        let pieces = lines.pieces.len() as u64;
+        let drawing =
+            run.stage("page", pieces, || Drawing::new(&lines, &self.page.options(unit)))?;
+        Ok((lines, drawing))
+    }
+
+    fn find_lines(&self, scene: &Scene, run: &Run<'_>) -> Result<VisibleLines, Failure> {
+        let view = self.camera.view(&scene.mesh)?;
+        let options = self.lines.options();
+        let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
+        let question = prepared.question(self.page.hidden_wanted());
+        let answer = self.method.unwrap_or(Method::Appel).answer(&question, run)?;
+        Ok(reduce::<Exact>(&question, &answer, run)?)
+    }
+
+    /// What a computed drawing has settled cannot be asked for again.
+    fn refuse_flags_of_models(&self) -> Result<(), Failure> {
+        let settled = [
+            ("the camera", self.camera.any()),
+            ("--crease and --edges", self.lines.any()),
+            ("--method", self.method.is_some()),
+            ("--weld", self.model.weld.is_some()),
+            ("--up-axis", self.model.up_axis.is_some()),
+        ];
+        match settled.into_iter().find(|(_, given)| *given) {
+            Some((flag, _)) => Err(Failure::usage(format!(
+                "a computed drawing cannot be computed otherwise: expected a model, or no flags \
+                 for {flag}"
+            ))),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Flags that say which lines are wanted and who finds out what hides them.
+
+use crate::failure::Failure;
+use clap::{Args, ValueEnum};
+use umriss::kernel::predicates::Exact;
+use umriss::model::{FeatureOptions, LineClass};
+use umriss::run::Run;
+use umriss::view::{ExactLines, LineQuestion};
+use umriss::visibility::{AppelOptions, appel};
+
+/// Which edges are lines.
+#[derive(Args)]
+#[command(next_help_heading = "Lines")]
+pub(crate) struct LineFlags {
+    /// Folds of more than this are creases [default: 30]
+    #[arg(long, value_name = "DEG", value_parser = parse_fold)]
+    crease: Option<f64>,
+    /// Classes to draw, separated by commas: contour, boundary, crease, non-manifold,
+    /// intersection, line (OBJ l), mesh (every other edge) [default: all but mesh]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_class)]
+    edges: Option<Vec<LineClass>>,
+}
+
+impl LineFlags {
+    /// Whether any flag was given.
+    pub(crate) fn any(&self) -> bool {
+        self.crease.is_some() || self.edges.is_some()
+    }
+
+    /// What the library is asked for.
+    pub(crate) fn options(&self) -> FeatureOptions {
+        let mut options = FeatureOptions::default();
+        if let Some(degrees) = self.crease {
+            options = options.with_crease_degrees(degrees);
+        }
+        if let Some(classes) = &self.edges {
+            options = options.with_classes(classes);
+        }
+        options
+    }
+}
+
+/// A method that finds visible lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Method {
+    /// Quantitative invisibility
+    Appel,
+    /// Each line against each face
+    #[value(hide = true)]
+    Roberts,
+    /// Regions
+    #[value(hide = true)]
+    WeilerAtherton,
+    /// Back to front
+    #[value(hide = true)]
+    Painter,
+}
+
+impl Method {
+    /// Refuses methods that this build has not got.
+    pub(crate) fn check(self) -> Result<(), Failure> {
+        match self {
+            Method::Appel => Ok(()),
+            Method::Roberts | Method::WeilerAtherton | Method::Painter => {
+                let name = self.to_possible_value();
+                let name = name.as_ref().map_or("", |value| value.get_name());
+                Err(Failure::usage(format!(
+                    "--method {name}: this build has no such method, expected appel"
+                )))
+            }
+        }
+    }
+
+    /// Asks the method.
+    pub(crate) fn answer(
+        self,
+        question: &LineQuestion<'_>,
+        run: &Run<'_>,
+    ) -> Result<ExactLines, Failure> {
+        self.check()?;
+        Ok(appel::<Exact>(question, &AppelOptions::default(), run)?)
+    }
+}
+
+fn parse_fold(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|angle| (0.0..=180.0).contains(angle));
+    number.ok_or_else(|| "expected degrees from 0 to 180".to_owned())
+}
+
+fn parse_class(name: &str) -> Result<LineClass, String> {
+    LineClass::from_name(name.trim()).ok_or_else(|| {
+        let names = LineClass::ALL.map(LineClass::name);
+        format!("expected some of {}", names.join(","))
+    })
+}

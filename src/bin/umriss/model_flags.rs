@@ -1,0 +1,88 @@
+//! Flags that say which models there are and what their numbers mean.
+
+use clap::{Args, ValueEnum};
+use umriss::model::import::Format;
+use umriss::model::{Unit, UpAxis};
+
+/// The meaning of model files.
+#[derive(Args)]
+#[command(next_help_heading = "Models")]
+pub(crate) struct ModelFlags {
+    /// Format of the models: obj, stl, ply, off, json or gltf [default: by content, then
+    /// extension]
+    #[arg(long, value_name = "F", value_parser = parse_format)]
+    pub(crate) input_format: Option<Format>,
+    /// Unit of the models' numbers [default: m for glTF, otherwise mm]
+    #[arg(long, value_enum)]
+    pub(crate) unit: Option<UnitName>,
+    /// Axis of the models that points up [default: y for glTF, otherwise z]
+    #[arg(long, value_enum)]
+    pub(crate) up_axis: Option<AxisName>,
+    /// Merge vertices of one object that are closer than this, in the models' unit
+    /// [default: only equal ones]
+    #[arg(long, value_name = "TOL", value_parser = parse_distance)]
+    pub(crate) weld: Option<f64>,
+}
+
+/// A unit by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum UnitName {
+    /// Millimetres
+    Mm,
+    /// Centimetres
+    Cm,
+    /// Metres
+    M,
+    /// Inches of 25.4 mm
+    In,
+}
+
+impl UnitName {
+    pub(crate) fn unit(self) -> Unit {
+        match self {
+            UnitName::Mm => Unit::Millimetre,
+            UnitName::Cm => Unit::Centimetre,
+            UnitName::M => Unit::Metre,
+            UnitName::In => Unit::Inch,
+        }
+    }
+
+    /// The name of a unit.
+    pub(crate) fn of(unit: Unit) -> &'static str {
+        match unit {
+            Unit::Millimetre => "mm",
+            Unit::Centimetre => "cm",
+            Unit::Metre => "m",
+            Unit::Inch => "in",
+        }
+    }
+}
+
+/// An axis by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum AxisName {
+    /// (x, y, z) of the file is (x, -z, y) of the world
+    Y,
+    /// Coordinates are taken as they are
+    Z,
+}
+
+impl AxisName {
+    pub(crate) fn axis(self) -> UpAxis {
+        match self {
+            AxisName::Y => UpAxis::Y,
+            AxisName::Z => UpAxis::Z,
+        }
+    }
+}
+
+fn parse_format(name: &str) -> Result<Format, String> {
+    Format::from_name(name).ok_or_else(|| "expected obj, stl, ply, off, json or gltf".to_owned())
+}
+
+/// A finite number greater than zero.
+pub(crate) fn parse_distance(text: &str) -> Result<f64, String> {
+    let number =
+        text.trim().parse().ok().filter(|&number: &f64| number.is_finite() && 0.0 < number);
+    number.ok_or_else(|| "expected a number greater than 0".to_owned())
+}

@@ -1,0 +1,213 @@
+//! Reads what the command line names: models, or one computed drawing.
+
+use crate::failure::Failure;
+use crate::model_flags::{AxisName, ModelFlags, UnitName};
+use crate::session::RunFlags;
+use serde::Deserialize;
+use std::io::{Read, stdin};
+use std::path::{Path, PathBuf};
+use umriss::export::{ExportError, read_drawing};
+use umriss::model::import::{Imported, read_bytes, read_file};
+use umriss::model::{Scene, SceneOptions, Unit};
+use umriss::run::Run;
+use umriss::view::VisibleLines;
+
+/// The name under which standard input goes in messages.
+const STANDARD_INPUT: &str = "<stdin>";
+
+/// How far into a file the name of our own format is looked for where the
+/// rest is no JSON.
+const HEADER: usize = 256;
+
+/// What the files are.
+pub(crate) enum Subject {
+    /// Models, as one scene.
+    Scene(Box<Scene>),
+    /// The lines of a drawing that was computed before.
+    Drawing(Box<VisibleLines>),
+}
+
+/// Reads models into one scene, or one JSON drawing.
+pub(crate) fn read_subject(
+    files: &[PathBuf],
+    flags: &ModelFlags,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<Subject, Failure> {
+    let sources = sources(files)?;
+    if flags.input_format.is_none()
+        && let [source] = &*sources
+        && let Some(lines) = read_lines(source)?
+    {
+        return Ok(Subject::Drawing(Box::new(lines)));
+    }
+    scene_of(&sources, flags, session, run).map(|scene| Subject::Scene(Box::new(scene)))
+}
+
+/// Reads models into one scene.
+pub(crate) fn read_scene(
+    files: &[PathBuf],
+    flags: &ModelFlags,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<Scene, Failure> {
+    scene_of(&sources(files)?, flags, session, run)
+}
+
+/// A file of the command line, or standard input.
+struct Source<'a> {
+    /// Nothing for standard input.
+    path: Option<&'a Path>,
+    /// Standard input can be read only once.
+    bytes: Vec<u8>,
+}
+
+impl Source<'_> {
+    fn name(&self) -> String {
+        self.path.map_or(STANDARD_INPUT.to_owned(), |path| path.display().to_string())
+    }
+}
+
+fn sources(files: &[PathBuf]) -> Result<Vec<Source<'_>>, Failure> {
+    if files.iter().filter(|file| file.as_os_str() == "-").count() > 1 {
+        return Err(Failure::usage("- is given twice, but standard input can be read only once"));
+    }
+    files.iter().map(|file| source(file)).collect()
+}
+
+fn source(file: &Path) -> Result<Source<'_>, Failure> {
+    if file.as_os_str() != "-" {
+        return Ok(Source { path: Some(file), bytes: Vec::new() });
+    }
+    let mut bytes = Vec::new();
+    match stdin().lock().read_to_end(&mut bytes) {
+        Ok(_) => Ok(Source { path: None, bytes }),
+        Err(error) => Err(Failure::failed(format!("{STANDARD_INPUT}: cannot be read: {error}"))),
+    }
+}
+
+/// The drawing in a source, if it is one.
+fn read_lines(source: &Source<'_>) -> Result<Option<VisibleLines>, Failure> {
+    let read;
+    let bytes = match source.path {
+        None => &source.bytes,
+        Some(path) if path.extension().is_some_and(|word| word.eq_ignore_ascii_case("json")) => {
+            let name = path.display();
+            read = std::fs::read(path)
+                .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
+            &read
+        }
+        Some(_) => return Ok(None),
+    };
+    if !is_drawing(bytes) {
+        return Ok(None);
+    }
+    let name = source.name();
+    read_drawing(bytes).map(Some).map_err(|error| match error {
+        ExportError::Json { line, column, message } => {
+            Failure::failed(format!("{name}:{line}: column {column}: {message}"))
+        }
+        other => Failure::failed(format!("{name}: {other}")),
+    })
+}
+
+/// Whether the bytes are meant as a drawing of ours, sound or not.
+fn is_drawing(bytes: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Header<'a> {
+        format: Option<&'a str>,
+    }
+    const NAME: &str = "umriss-drawing/";
+    if !bytes.trim_ascii_start().starts_with(b"{") {
+        return false;
+    }
+    match serde_json::from_slice::<Header>(bytes) {
+        Ok(header) => header.format.is_some_and(|format| format.starts_with(NAME)),
+        Err(_) => {
+            let start = &bytes[..bytes.len().min(HEADER)];
+            start.windows(NAME.len()).any(|window| window == NAME.as_bytes())
+        }
+    }
+}
+
+fn scene_of(
+    sources: &[Source<'_>],
+    flags: &ModelFlags,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<Scene, Failure> {
+    let mut unit = None;
+    let mut soups = Vec::new();
+    run.stage("reading", sources.len() as u64, || {
+        for source in sources {
+            let imported = import(source, flags)?;
+            for warning in &imported.warnings {
+                session.note(&format!("{}: {warning}", source.name()));
+            }
+            unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
+            soups.extend(upright_soups(imported, flags, source));
+            run.advance(1);
+        }
+        Ok::<(), Failure>(())
+    })?;
+    let options = SceneOptions { weld: flags.weld, unit: unit.unwrap_or_default() };
+    let made = run.stage("mesh", soups.len() as u64, || Scene::new(soups, &options));
+    let scene = made.map_err(|error| match sources {
+        [source] => Failure::failed(format!("{}: {error}", source.name())),
+        _ => Failure::failed(error.to_string()),
+    })?;
+    let merged = scene.mesh.report().merged_vertices;
+    if flags.weld.is_some() {
+        session.note(&format!("--weld moved {merged} vertices onto others"));
+    }
+    Ok(scene)
+}
+
+fn import(source: &Source<'_>, flags: &ModelFlags) -> Result<Imported, Failure> {
+    let imported = match source.path {
+        Some(path) => read_file(path, flags.input_format),
+        None => read_bytes(STANDARD_INPUT, &source.bytes, flags.input_format),
+    };
+    Ok(imported?)
+}
+
+/// The unit of the scene after one more file.
+fn common_unit(
+    so_far: Option<Unit>,
+    own: Unit,
+    flags: &ModelFlags,
+    source: &Source<'_>,
+) -> Result<Unit, Failure> {
+    if let Some(name) = flags.unit {
+        return Ok(name.unit());
+    }
+    match so_far {
+        Some(unit) if unit != own => Err(Failure::usage(format!(
+            "{}: the numbers are in {}, but those of the models before in {}; expected --unit to \
+             say what all numbers mean",
+            source.name(),
+            UnitName::of(own),
+            UnitName::of(unit)
+        ))),
+        _ => Ok(own),
+    }
+}
+
+/// The objects of a file, z up; those without a name are called like it.
+fn upright_soups(
+    imported: Imported,
+    flags: &ModelFlags,
+    source: &Source<'_>,
+) -> Vec<umriss::model::Soup> {
+    let up = flags.up_axis.map_or(imported.placement.up, AxisName::axis);
+    let stem = source.path.and_then(Path::file_stem);
+    let stem = stem.map_or("stdin".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let mut soups = imported.objects;
+    for soup in &mut soups {
+        soup.turn_upright(up);
+        if soup.name.is_empty() {
+            soup.name.clone_from(&stem);
+        }
+    }
+    soups
+}

@@ -1,0 +1,127 @@
+//! Where drawings go: files by their extension, standard output by name.
+//!
+//! Every output is rendered in memory before the first is written, so that
+//! whatever cannot be drawn leaves nothing behind.
+
+use crate::failure::Failure;
+use clap::Args;
+use std::io::{ErrorKind, Write, stdout};
+use std::path::{Path, PathBuf};
+use umriss::drawing::Drawing;
+use umriss::export::{ExportError, OutputFormat, SvgOptions, to_hpgl, to_json, to_svg, write_file};
+use umriss::view::VisibleLines;
+
+/// Flags of commands that draw.
+#[derive(Args)]
+pub(crate) struct OutputFlags {
+    /// Write the drawing here, more than once if wanted; the extension tells the format: svg,
+    /// hpgl, plt, json, png. With --format, - is standard output
+    #[arg(short, long = "output", value_name = "FILE", required = true)]
+    output: Vec<PathBuf>,
+    /// Format of outputs whose name does not tell it: svg, hpgl, json, png
+    #[arg(long, value_name = "F", value_parser = OutputFormat::from_name)]
+    format: Option<OutputFormat>,
+}
+
+/// An output and its format.
+struct Output<'a> {
+    /// Nothing for standard output.
+    path: Option<&'a Path>,
+    format: OutputFormat,
+}
+
+/// All outputs, checked before anything is computed.
+pub(crate) struct Outputs<'a> {
+    outputs: Vec<Output<'a>>,
+}
+
+impl OutputFlags {
+    /// Finds out what is to be written where.
+    pub(crate) fn plan(&self) -> Result<Outputs<'_>, Failure> {
+        for (index, path) in self.output.iter().enumerate() {
+            if self.output[..index].contains(path) {
+                let path = path.display();
+                return Err(Failure::usage(format!("--output {path} is given twice")));
+            }
+        }
+        let outputs: Result<_, Failure> =
+            self.output.iter().map(|path| self.output(path)).collect();
+        Ok(Outputs { outputs: outputs? })
+    }
+
+    fn output<'a>(&self, path: &'a Path) -> Result<Output<'a>, Failure> {
+        if path.as_os_str() == "-" {
+            let Some(format) = self.format else {
+                return Err(Failure::usage("--output - needs --format to say what to write"));
+            };
+            return Ok(Output { path: None, format });
+        }
+        let format = match (OutputFormat::from_path(path), self.format) {
+            (Ok(format), _) => format,
+            (
+                Err(ExportError::NoExtension { .. } | ExportError::UnknownFormat { .. }),
+                Some(format),
+            ) => format,
+            (Err(error), _) => return Err(Failure::usage(format!("--output: {error}"))),
+        };
+        Ok(Output { path: Some(path), format })
+    }
+}
+
+impl Outputs<'_> {
+    /// Renders everything, then writes everything.
+    pub(crate) fn write(
+        &self,
+        lines: &VisibleLines,
+        drawing: &Drawing,
+        precision: u8,
+    ) -> Result<(), Failure> {
+        let mut rendered = Vec::with_capacity(self.outputs.len());
+        for output in &self.outputs {
+            rendered.push(render(output.format, lines, drawing, precision)?);
+        }
+        for (output, bytes) in self.outputs.iter().zip(&rendered) {
+            match output.path {
+                Some(path) => write_file(path, bytes)?,
+                None => print(bytes)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+fn render(
+    format: OutputFormat,
+    lines: &VisibleLines,
+    drawing: &Drawing,
+    precision: u8,
+) -> Result<Vec<u8>, Failure> {
+    let svg = || to_svg(drawing, &SvgOptions { precision, command: None });
+    match format {
+        OutputFormat::Svg => Ok(svg()?.into_bytes()),
+        OutputFormat::Hpgl => Ok(to_hpgl(drawing)?.into_bytes()),
+        OutputFormat::Json => Ok(to_json(lines)?),
+        OutputFormat::Png => picture(&svg()?),
+    }
+}
+
+#[cfg(feature = "png")]
+fn picture(svg: &str) -> Result<Vec<u8>, Failure> {
+    use umriss::export::{PREVIEW_WIDTH, to_png};
+    Ok(to_png(svg, PREVIEW_WIDTH)?)
+}
+
+#[cfg(not(feature = "png"))]
+fn picture(_: &str) -> Result<Vec<u8>, Failure> {
+    Err(Failure::usage("this build cannot make pictures, expected one with the feature png"))
+}
+
+/// Writes to standard output.
+pub(crate) fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Ok(()) => Ok(()),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Err(Failure::ReaderGone),
+        Err(error) => Err(Failure::failed(format!("<stdout>: cannot be written: {error}"))),
+    }
+}
