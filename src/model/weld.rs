@@ -216,7 +216,7 @@ mod tests {
     fn many_vertices_agree_with_a_plain_table() {
         let positions: Vec<DVec3> = (0..300_000_u64)
             .map(|i| {
-                let x = (i * 0x9e37_79b9_7f4a_7c15) >> 48;
+                let x = i.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;
                 DVec3::new((x % 97) as f64, (x % 89) as f64 * 1e-3, (x % 11) as f64)
             })
             .collect();
