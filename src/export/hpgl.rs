@@ -47,7 +47,7 @@ const CHUNK: usize = 4096;
 /// leaves the page.
 pub fn to_hpgl(drawing: &Drawing) -> Result<String, ExportError> {
     let limit = (drawing.size * UNITS_PER_MM).round();
-    if !(limit.max_element() <= LARGEST) {
+    if !limit.is_finite() || LARGEST < limit.max_element() {
         return Err(ExportError::PlotterRange {
             width: drawing.size.x,
             height: drawing.size.y,

@@ -1,5 +1,7 @@
 //! The exporters, on whole files.
 
+#![allow(clippy::unwrap_used)]
+
 mod fixture;
 #[cfg(all(feature = "svg", feature = "json"))]
 mod golden;

@@ -1,5 +1,7 @@
 //! The rules of dashed lines, on known shapes and on random ones.
 
+#![allow(clippy::unwrap_used)]
+
 use super::*;
 use proptest::prelude::*;
 

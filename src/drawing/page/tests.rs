@@ -1,5 +1,7 @@
 //! Whole drawings of hand-made and of random pieces.
 
+#![allow(clippy::unwrap_used)]
+
 use super::super::{Length, Paper, Scale, is_closed};
 use super::*;
 use crate::drawing::LayerBy;
