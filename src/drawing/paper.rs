@@ -37,6 +37,9 @@ pub enum Paper {
 }
 
 impl Paper {
+    /// A5, upright.
+    pub const A5: Paper = Paper::Sheet { width: 148.0, height: 210.0 };
+
     /// A4, upright.
     pub const A4: Paper = Paper::Sheet { width: 210.0, height: 297.0 };
 

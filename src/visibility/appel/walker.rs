@@ -196,8 +196,10 @@ impl<'q, P: Policy> Walker<'q, P> {
     fn has_image(&self, walk: &Walk) -> bool {
         if let [Some(a), Some(b)] = walk.vertices {
             let [a, b] = [a, b].map(|vertex| self.question.coordinates.bounds([vertex]));
+            // A vertex behind the eye has no image, and an empty box.
+            let seen = !a.is_empty() && !b.is_empty();
             let apart = (0..2).any(|i| a.high[i] < b.low[i] || b.high[i] < a.low[i]);
-            if apart {
+            if seen && apart {
                 return true;
             }
         }
