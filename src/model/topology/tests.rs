@@ -1,7 +1,10 @@
 use super::*;
 use crate::model::{Faces, Soup};
 
-fn mesh(objects: &[(&[[f64; 3]], &[&[u32]])]) -> Mesh {
+/// Vertices and faces.
+type Object<'a> = (&'a [[f64; 3]], &'a [&'a [u32]]);
+
+fn mesh(objects: &[Object<'_>]) -> Mesh {
     let soups = objects.iter().map(|(vertices, faces)| {
         let mut list = Faces::default();
         for face in *faces {
@@ -107,7 +110,7 @@ fn faces_that_cross_are_found_and_faces_that_touch_are_not() {
     let flat = [[-1.0, -1.0, 0.0], [2.0, -1.0, 0.0], [-1.0, 2.0, 0.0]];
     let crossing = [[0.0, 0.0, -1.0], [0.0, 0.0, 1.0], [0.5, 0.0, 1.0]];
     let touching = crossing.map(|[x, y, z]| [x, y, z + 1.0]);
-    let pairs = |other| {
+    let pairs = |other: &[[f64; 3]]| {
         let scene = mesh(&[(&flat, &[&[0, 1, 2]]), (other, &[&[0, 1, 2]])]);
         interpenetrations(&scene, &Run::default()).unwrap()
     };
