@@ -235,8 +235,10 @@ fn class_of<P: Policy>(
     }
 }
 
+/// Whether the two triangles at an edge fold more than the threshold; no if
+/// there are not two.
 #[inline]
-fn is_crease<P: Policy>(
+pub(super) fn is_crease<P: Policy>(
     mesh: &Mesh,
     predicates: &Predicates<'_, P>,
     options: &FeatureOptions,

@@ -1,5 +1,6 @@
 //! Models: what files say ([`Soup`]), the mesh made of it ([`Mesh`]), the
-//! camera, and which edges are lines for it.
+//! camera, and which edges are lines for it; [`Topology`] says what is wrong
+//! with a mesh.
 
 mod adjacency;
 mod camera;
@@ -14,6 +15,7 @@ mod sanity;
 mod scene;
 mod soup;
 mod standard_views;
+mod topology;
 mod view_coordinates;
 mod weld;
 
@@ -27,4 +29,5 @@ pub use mesh::{Mesh, MeshError, MeshReport, Object};
 pub use scene::{Scene, SceneOptions};
 pub use soup::{Color, Faces, Placement, Soup, Unit, UpAxis};
 pub use standard_views::StandardView;
+pub use topology::{TJunction, Topology, interpenetrations};
 pub use view_coordinates::ViewCoordinates;

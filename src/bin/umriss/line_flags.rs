@@ -82,7 +82,8 @@ impl Method {
     }
 }
 
-fn parse_fold(text: &str) -> Result<f64, String> {
+/// Degrees of a fold.
+pub(crate) fn parse_fold(text: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok().filter(|angle| (0.0..=180.0).contains(angle));
     number.ok_or_else(|| "expected degrees from 0 to 180".to_owned())
 }

@@ -15,6 +15,7 @@ mod camera_file;
 mod camera_flags;
 mod draw;
 mod failure;
+mod info;
 mod line_flags;
 mod model_flags;
 mod models;
@@ -22,6 +23,7 @@ mod outputs;
 mod page_flags;
 mod progress;
 mod session;
+mod verify;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
@@ -43,12 +45,16 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Draw(Box<draw::Draw>),
+    Info(Box<info::Info>),
+    Verify(Box<verify::Verify>),
 }
 
 fn main() -> ExitCode {
     let outcome = match Cli::try_parse() {
         Ok(cli) => match cli.command {
             Command::Draw(draw) => draw.run(),
+            Command::Info(info) => info.run(),
+            Command::Verify(verify) => verify.run(),
         },
         Err(error) if !error.use_stderr() => print_help(&error),
         Err(error) => Err(Failure::from(error)),

@@ -23,9 +23,13 @@ pub struct FoldThreshold {
 impl FoldThreshold {
     /// The threshold of `degrees`, from 0 (every fold is a crease) to 180
     /// (none is). The cosine is rounded once; from there on it is exact.
+    /// Right angles and thirds of a straight one have rational cosines and
+    /// get them, so that a box has no folds above 90 degrees.
     pub fn from_degrees(degrees: f64) -> Self {
-        let scale = f64::powi(2.0, COSINE_BITS);
-        FoldThreshold { cosine: (degrees.to_radians().cos() * scale).round() }
+        const RATIONAL: [(f64, f64); 3] = [(60.0, 0.5), (90.0, 0.0), (120.0, -0.5)];
+        let rational = RATIONAL.into_iter().find(|(angle, _)| *angle == degrees);
+        let cosine = rational.map_or_else(|| degrees.to_radians().cos(), |(_, cosine)| cosine);
+        FoldThreshold { cosine: (cosine * f64::powi(2.0, COSINE_BITS)).round() }
     }
 }
 

@@ -1,0 +1,301 @@
+//! The program from outside: what it writes, what it says, how it ends.
+
+#![allow(clippy::unwrap_used)]
+
+mod fixture;
+mod refusals;
+
+use fixture::Folder;
+
+#[test]
+fn every_format_is_drawn_in_one_call() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o a.svg -o a.hpgl -o a.plt -o a.json -o a.png");
+    assert!(folder.text("a.svg").starts_with("<svg"));
+    assert!(folder.text("a.hpgl").starts_with("IN;"));
+    assert_eq!(folder.bytes("a.hpgl"), folder.bytes("a.plt"));
+    assert!(folder.text("a.json").starts_with("{\"format\":\"umriss-drawing/1\""));
+    assert!(folder.bytes("a.png").starts_with(b"\x89PNG"));
+    assert_eq!(folder.names(), ["a.hpgl", "a.json", "a.plt", "a.png", "a.svg", "cube.obj"]);
+}
+
+#[test]
+fn a_cube_shows_nine_of_its_twelve_edges_and_hides_three() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o seen.json");
+    folder.succeeds("draw cube.obj -o all.json --hidden solid");
+    let count = |name: &str, word: &str| folder.text(name).matches(word).count();
+    assert_eq!(count("seen.json", "\"visible\":true"), 9);
+    assert_eq!(count("seen.json", "\"visible\":false"), 0);
+    assert_eq!(count("all.json", "\"visible\":true"), 9);
+    assert_eq!(count("all.json", "\"visible\":false"), 3);
+    assert_eq!(count("all.json", "\"object\":\"cube\""), 12);
+}
+
+#[test]
+fn every_flag_of_the_camera_is_taken() {
+    let folder = Folder::with_cube();
+    let cameras = [
+        "--view front",
+        "--view top --up 1,0,0",
+        "--view cabinet",
+        "--view iso-sw-under",
+        "--direction -1,-2,-0.5 --up 0,1,0",
+        "--eye 40,-50,30",
+        "--eye -40,-50,30 --target 5,5,5 --fov 30 --up 0,0,1 --near 1",
+        "--camera eye.json --near 2",
+        "--camera parallel.json",
+    ];
+    folder.write("eye.json", r#"{"kind":"perspective","eye":[40,30,20],"target":[5,5,5]}"#);
+    folder.write(
+        "parallel.json",
+        r#"{"kind":"orthographic","eye":[1,2,3],"target":[0,0,0],"up":[0,1,0]}"#,
+    );
+    let mut drawings = Vec::new();
+    for camera in cameras {
+        folder.succeeds(&format!("draw cube.obj -o a.svg {camera}"));
+        drawings.push(folder.text("a.svg"));
+    }
+    drawings.sort();
+    drawings.dedup();
+    assert_eq!(drawings.len(), cameras.len(), "each camera sees something else");
+}
+
+#[test]
+fn a_camera_file_and_flags_that_say_the_same_draw_the_same() {
+    let folder = Folder::with_cube();
+    folder.write(
+        "eye.json",
+        r#"{"kind":"perspective","eye":[40,30,20],"target":[5,5,5],"up":[0,0,1],"fov_y_deg":60}"#,
+    );
+    folder.succeeds("draw cube.obj -o file.json --camera eye.json");
+    folder.succeeds("draw cube.obj -o flags.json --eye 40,30,20 --target 5,5,5 --fov 60");
+    assert_eq!(folder.text("file.json"), folder.text("flags.json"));
+}
+
+#[test]
+fn every_flag_of_the_page_is_taken() {
+    let folder = Folder::with_cube();
+    let cube = "draw cube.obj -o a.svg --view front";
+    folder.succeeds(&format!("{cube} --paper a3 --landscape"));
+    assert!(folder.text("a.svg").contains("viewBox=\"0 0 420 297\""));
+    folder.succeeds(&format!("{cube} --paper tight --margin 5mm --scale 2:1"));
+    assert!(folder.text("a.svg").contains("viewBox=\"0 0 30 30\""));
+    folder.succeeds(&format!("{cube} --paper tight --margin 1cm --scale 0.5 --unit in"));
+    assert!(folder.text("a.svg").contains("viewBox=\"0 0 147 147\""));
+    folder.succeeds(&format!("{cube} --hidden dashed --layer-by class"));
+    assert!(folder.text("a.svg").contains("1-contour"));
+    folder.succeeds("draw cube.obj -o a.svg --layer-by object --precision 0");
+    let svg = folder.text("a.svg");
+    let paths: String = svg.lines().filter(|line| line.starts_with("<path")).collect();
+    assert!(svg.contains("1-cube") && !paths.contains('.'));
+}
+
+#[test]
+fn only_the_classes_asked_for_are_drawn() {
+    let folder = Folder::with_cube();
+    let count = |flags: &str, class: &str| {
+        folder.succeeds(&format!("draw cube.obj -o a.json {flags}"));
+        folder.text("a.json").matches(&format!("\"class\":\"{class}\"")).count()
+    };
+    assert_eq!(count("", "contour"), 6);
+    assert_eq!(count("", "crease"), 3);
+    assert_eq!(count("--edges contour", "crease"), 0);
+    assert_eq!(count("--crease 90", "crease"), 0);
+    assert_eq!(count("--crease 90 --edges contour,mesh", "mesh"), 3);
+    assert_eq!(count("--method appel", "contour"), 6);
+}
+
+#[test]
+fn models_in_one_call_are_one_scene() {
+    let folder = Folder::with_cube();
+    folder.write("wall.off", "OFF\n3 1 0\n90 90 -90\n-90 90 -90\n0 90 200\n3 0 1 2\n");
+    folder.succeeds("draw cube.obj wall.off -o both.json --view back --hidden solid");
+    let text = folder.text("both.json");
+    assert!(text.contains("\"object\":\"cube\""));
+    assert!(text.contains("\"object\":\"wall\""), "objects without a name have the file's");
+    assert!(
+        text.lines()
+            .filter(|line| line.contains("\"cube\""))
+            .skip(1)
+            .all(|line| { line.contains("\"visible\":false") })
+    );
+}
+
+#[test]
+fn units_are_those_of_the_format_unless_said_otherwise() {
+    let folder = Folder::with_cube();
+    folder.write("triangle.gltf", fixture::TRIANGLE_GLTF);
+    folder.succeeds("draw triangle.gltf -o a.svg --view front --paper tight --margin 0");
+    assert!(folder.text("a.svg").contains("viewBox=\"0 0 1000 1000\""), "metres, y up");
+    folder.succeeds(
+        "draw triangle.gltf -o a.svg --view top --paper tight --margin 0 --unit cm --up-axis z",
+    );
+    assert!(folder.text("a.svg").contains("viewBox=\"0 0 10 10\""));
+    folder.fails(
+        2,
+        "draw cube.obj triangle.gltf -o b.svg",
+        "umriss: triangle.gltf: the numbers are in m, but those of the models before in mm; \
+         expected --unit to say what all numbers mean\n",
+    );
+    folder.succeeds("draw cube.obj triangle.gltf -o b.svg --unit mm");
+}
+
+#[test]
+fn close_vertices_are_merged_on_request_and_it_is_told() {
+    let folder = Folder::with_cube();
+    folder.write(
+        "pair.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.001 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 4 6 5\n",
+    );
+    assert_eq!(folder.succeeds("draw pair.obj -o a.svg").errors, "");
+    let told = "umriss: --weld moved 1 vertices onto others\n";
+    assert_eq!(folder.succeeds("draw pair.obj -o a.svg --weld 0.01").errors, told);
+    assert_eq!(folder.succeeds("draw pair.obj -o a.svg --weld 0.01 --quiet").errors, "");
+}
+
+#[test]
+fn threads_do_not_change_a_byte() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(24));
+    let flags = "--hidden dashed --edges contour,boundary,crease,mesh";
+    folder.succeeds(&format!("draw wave.obj -o 1.json -o 1.svg -o 1.hpgl {flags} --threads 1"));
+    folder.succeeds(&format!("draw wave.obj -o 2.json -o 2.svg -o 2.hpgl {flags} --threads 2"));
+    for format in ["json", "svg", "hpgl"] {
+        let [one, two] = ["1", "2"].map(|name| folder.bytes(&format!("{name}.{format}")));
+        assert!(one == two, "{format}");
+        assert!(one.len() > 10_000, "{format}");
+    }
+}
+
+#[test]
+fn a_computed_drawing_is_restyled_to_the_bytes_that_its_model_gives() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(12));
+    folder.succeeds("draw wave.obj -o wave.json --hidden solid --view iso-sw");
+    let styles = [
+        "",
+        "--hidden dashed",
+        "--hidden solid --layer-by class --paper tight --scale 1:2 --unit cm",
+        "--hidden dashed --layer-by object --paper 80x60mm --margin 2mm --landscape --precision 1",
+    ];
+    for style in styles {
+        folder.succeeds(&format!("draw wave.obj -o model.svg --view iso-sw {style}"));
+        folder.succeeds(&format!("draw wave.json -o json.svg {style}"));
+        assert_eq!(folder.text("model.svg"), folder.text("json.svg"), "{style}");
+    }
+    folder.succeeds("draw wave.json -o again.json");
+    assert_eq!(folder.text("wave.json"), folder.text("again.json"));
+}
+
+#[test]
+fn what_a_drawing_has_settled_is_not_asked_again() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o cube.json");
+    for (flags, name) in [
+        ("--view top", "the camera"),
+        ("--edges contour", "--crease and --edges"),
+        ("--method appel", "--method"),
+        ("--weld 1", "--weld"),
+        ("--up-axis y", "--up-axis"),
+    ] {
+        let message = format!(
+            "umriss: a computed drawing cannot be computed otherwise: expected a model, or no \
+             flags for {name}\n"
+        );
+        folder.fails(2, &format!("draw cube.json -o a.svg {flags}"), &message);
+    }
+    assert_eq!(folder.names(), ["cube.json", "cube.obj"]);
+}
+
+#[test]
+fn standard_input_and_output_are_called_dash() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o a.svg");
+    let piped = folder.succeeds_with_input("draw - -o - --format svg", &folder.bytes("cube.obj"));
+    assert_eq!(piped.output, folder.text("a.svg"));
+    folder.succeeds("draw cube.obj -o a.json");
+    let piped = folder.succeeds_with_input("draw - -o - --format svg", &folder.bytes("a.json"));
+    assert_eq!(piped.output, folder.text("a.svg"));
+    let told = folder.succeeds_with_input("info - --input-format obj", &folder.bytes("cube.obj"));
+    assert!(told.output.contains("closed"));
+}
+
+#[test]
+fn a_format_is_given_where_there_is_no_extension() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o drawing -o a.svg --format svg");
+    assert_eq!(folder.bytes("drawing"), folder.bytes("a.svg"));
+    folder.write("model", &folder.text("cube.obj"));
+    folder.succeeds("draw model -o b.svg --input-format obj");
+    assert_eq!(folder.bytes("b.svg"), folder.bytes("a.svg"));
+}
+
+#[test]
+fn statistics_go_to_standard_error() {
+    let folder = Folder::with_cube();
+    let told = folder.succeeds("draw cube.obj -o a.svg --stats").errors;
+    for word in ["feature-lines", "pieces", "time: appel", "time: reading"] {
+        assert!(told.contains(word), "{word} in {told}");
+    }
+    assert!(!folder.text("a.svg").contains("time"));
+}
+
+#[test]
+fn a_model_is_described() {
+    let folder = Folder::with_cube();
+    let row = |flags: &str, name: &str| {
+        let told = folder.succeeds(&format!("info {flags}")).output;
+        let line = told.lines().find(|line| line.starts_with(name)).unwrap_or("").to_owned();
+        line[name.len()..].split_whitespace().next().unwrap_or("").to_owned()
+    };
+    for (name, value) in [
+        ("objects", "1"),
+        ("faces", "6"),
+        ("triangles", "12"),
+        ("unit", "mm"),
+        ("size", "10"),
+        ("surface", "closed"),
+        ("components", "1"),
+        ("crease edges", "12"),
+        ("inconsistent edges", "0"),
+        ("interpenetrations", "0"),
+    ] {
+        assert_eq!(row("cube.obj", name), value, "{name}");
+    }
+    assert_eq!(row("cube.obj --crease 90", "smooth edges"), "12");
+    let json = folder.succeeds("info cube.obj --json").output;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["closed"], true);
+    assert_eq!(json["objects"][0]["name"], "cube");
+    assert_eq!(json["bounds"][1][2], 10.0);
+}
+
+#[test]
+fn defects_are_told() {
+    let folder = Folder::with_cube();
+    folder.write(
+        "bad.obj",
+        "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 2 0 0\nv 0 -4 0\nv 4 -4 0\nv 0.5 0.5 -1\nv 0.5 0.5 1\n\
+         v 1 0.5 1\nv 0 0 0\nf 1 2 3\nf 3 1 2\nf 1 2 2\nf 4 5 6\nf 7 8 9\nf 10 3 2\n",
+    );
+    let json = folder.succeeds("info bad.obj --json").output;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["closed"], false);
+    assert_eq!(json["welded_vertices"], 1);
+    assert_eq!(json["defects"]["degenerate_faces"], 1);
+    assert_eq!(json["defects"]["duplicate_faces"], 2);
+    assert_eq!(json["defects"]["t_junctions"], 1);
+    assert_eq!(json["defects"]["interpenetrations"], 1);
+}
+
+#[test]
+fn help_has_examples_for_every_command() {
+    let folder = Folder::with_cube();
+    assert!(folder.succeeds("--help").output.contains("draw"));
+    for command in ["draw", "info", "verify"] {
+        let help = folder.succeeds(&format!("{command} --help")).output;
+        assert!(help.contains(&format!("Examples:\n  umriss {command}")), "{command}");
+    }
+    assert!(folder.succeeds("--version").output.starts_with("umriss 0."));
+}
