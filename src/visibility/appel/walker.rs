@@ -7,7 +7,7 @@ use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Hierarchy, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, SegmentProbe};
 use crate::view::{ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
@@ -58,7 +58,7 @@ const NONE: u32 = u32::MAX;
 /// Walks lines.
 pub(super) struct Walker<'q, P: Policy> {
     pub(super) question: &'q LineQuestion<'q>,
-    pub(super) effective: &'q Hierarchy,
+    pub(super) effective: &'q Crossings,
     pub(super) predicates: Predicates<'q, P>,
     pub(super) fault: Option<Fault>,
     pub(super) events: Vec<Event>,
@@ -76,7 +76,7 @@ pub(super) struct Walker<'q, P: Policy> {
 impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn new(
         question: &'q LineQuestion<'q>,
-        effective: &'q Hierarchy,
+        effective: &'q Crossings,
         options: &AppelOptions,
     ) -> Self {
         Walker {
