@@ -240,7 +240,8 @@ fn shuffle(random: &mut Random, soup: &Soup) -> (Soup, Vec<u32>) {
         ..Soup::default()
     };
     for mut face in faces {
-        face.rotate_left(random.below(face.len() as u64) as usize);
+        let places = random.below(face.len() as u64) as usize;
+        face.rotate_left(places);
         if random.one_in(2) {
             face.reverse();
         }

@@ -11,6 +11,7 @@
 
 mod appel;
 mod crossings;
+mod degenerate;
 mod features;
 mod intersections;
 mod invariances;
