@@ -22,10 +22,19 @@ pub struct FoldThreshold {
 
 impl FoldThreshold {
     /// The threshold of `degrees`, from 0 (every fold is a crease) to 180
-    /// (none is). The cosine is rounded once; from there on it is exact.
+    /// (none is). The cosine is rounded once, the rational ones not at all;
+    /// from there on it is exact.
     pub fn from_degrees(degrees: f64) -> Self {
         let scale = f64::powi(2.0, COSINE_BITS);
-        FoldThreshold { cosine: (degrees.to_radians().cos() * scale).round() }
+        // Radians are rounded, so the cosine of a right angle would not be
+        // zero.
+        let cosine = match degrees {
+            60.0 => 0.5,
+            90.0 => 0.0,
+            120.0 => -0.5,
+            _ => degrees.to_radians().cos(),
+        };
+        FoldThreshold { cosine: (cosine * scale).round() }
     }
 }
 
