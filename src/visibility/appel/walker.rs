@@ -123,9 +123,11 @@ impl<'q, P: Policy> Walker<'q, P> {
         let near = if self.question.points.has_near_plane() {
             let sign = |point| self.predicates.value_sign(Cut::Near, point);
             match walk.carrier.ends.map(sign) {
-                [Sign::Positive, Sign::Positive] => None,
-                [Sign::Positive, _] => Some(false),
-                [_, Sign::Positive] => Some(true),
+                // An end on the near plane is the end of the line.
+                [Sign::Positive, Sign::Positive | Sign::Zero]
+                | [Sign::Zero, Sign::Positive] => None,
+                [Sign::Positive, Sign::Negative] => Some(false),
+                [Sign::Negative, Sign::Positive] => Some(true),
                 _ => return,
             }
         } else {
@@ -197,7 +199,9 @@ impl<'q, P: Policy> Walker<'q, P> {
         if let [Some(a), Some(b)] = walk.vertices {
             let [a, b] = [a, b].map(|vertex| self.question.coordinates.bounds([vertex]));
             let apart = (0..2).any(|i| a.high[i] < b.low[i] || b.high[i] < a.low[i]);
-            if apart {
+            // Vertices behind the eye have no boxes, and may be one image
+            // with one in front: the line passes through the eye.
+            if apart && !a.is_empty() && !b.is_empty() {
                 return true;
             }
         }
