@@ -19,7 +19,7 @@ use glam::{DVec2, DVec3};
 use umriss::drawing::{Drawing, DrawingOptions, Hidden};
 use umriss::export::{SvgOptions, to_json, to_svg};
 use umriss::kernel::predicates::{Exact, Eye};
-use umriss::model::{FeatureOptions, LineClass, Mesh, Soup, View};
+use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::run::Run;
 use umriss::view::{LinePiece, LineSource, PreparedView, VisibleLines};
 use umriss::visibility::{AppelOptions, appel, visible_lines};
@@ -316,12 +316,16 @@ fn a_very_far_eye_sees_what_parallel_rays_see() {
         let mesh = Mesh::new(soups, None).expect("a mesh");
         let towards = DVec3::from([0; 3].map(|_| random.below(2001) as f64 - 1000.0));
         let parallel = orthographic(-towards);
-        let mut central = super::scenes::perspective(
-            towards * f64::powi(2.0, 60),
-            -towards,
-            f64::powi(2.0, 50),
-        );
-        central.frame.origin = towards * f64::powi(2.0, 60);
+        // The target is the origin, which the sum of eye and direction
+        // would miss by rounding.
+        let camera = Camera::Perspective {
+            eye: towards * f64::powi(2.0, 60),
+            target: Some(DVec3::ZERO),
+            up: DVec3::Z,
+            near: Some(f64::powi(2.0, 50)),
+            fov_y_degrees: 1.0,
+        };
+        let central = camera.view((DVec3::ZERO, DVec3::ONE)).expect("a view");
         let answers = [parallel, central].map(|view| {
             let run = Run::default();
             let prepared =
