@@ -66,12 +66,16 @@ impl Stretch {
 
 /// The pieces, those that only a triangulation divides joined.
 fn stretches(lines: &VisibleLines) -> Vec<Stretch> {
+    joined(lines.pieces.iter().map(|piece| (piece.run, Stretch::new(piece))))
+}
+
+/// Joins what follows one another in one run and differs in nothing.
+fn joined(pieces: impl Iterator<Item = (u32, Stretch)>) -> Vec<Stretch> {
     let mut groups: Vec<(u32, Stretch)> = Vec::new();
-    for piece in &lines.pieces {
-        let mut stretch = Stretch::new(piece);
+    for (run, mut stretch) in pieces {
         // Joining one neighbour may bring it next to another.
-        while let Some(found) = groups.iter().position(|(run, other)| {
-            *run == piece.run
+        while let Some(found) = groups.iter().position(|(other_run, other)| {
+            *other_run == run
                 && stretch.is_like(other)
                 && stretch.points.iter().any(|point| other.points.contains(point))
         }) {
@@ -82,7 +86,7 @@ fn stretches(lines: &VisibleLines) -> Vec<Stretch> {
             };
             stretch.points = [apart(stretch.points), apart(other.points)];
         }
-        groups.push((piece.run, stretch));
+        groups.push((run, stretch));
     }
     groups.into_iter().map(|(_, stretch)| stretch).collect()
 }
@@ -94,9 +98,29 @@ fn assert_same(
     change: impl Fn(&mut Stretch),
     what: &str,
 ) {
-    let (mut left, found) = (stretches(found), stretches(expected));
-    for mut stretch in found {
-        change(&mut stretch);
+    let mut expected = stretches(expected);
+    expected.iter_mut().for_each(change);
+    assert_matched(stretches(found), expected, what);
+}
+
+/// The same, but where lines coincide another one of them may be drawn: the
+/// one with the least coordinates is, and the axes have changed.
+fn assert_same_up_to_ties(found: &VisibleLines, expected: &VisibleLines, scale: f64, what: &str) {
+    let [found, mut expected] = [found, expected].map(|lines| {
+        let pieces = lines.pieces.iter().map(|piece| {
+            let stretch = Stretch::new(piece);
+            (piece.run, Stretch { object: 0, source: LineSource::Faces([0, 0]), ..stretch })
+        });
+        joined(pieces)
+    });
+    for stretch in &mut expected {
+        stretch.points = stretch.points.map(|point| point * scale);
+    }
+    assert_matched(found, expected, what);
+}
+
+fn assert_matched(mut left: Vec<Stretch>, expected: Vec<Stretch>, what: &str) {
+    for stretch in expected {
         let size = stretch.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let place = left.iter().position(|other| stretch.covers(other, 1e-9 * size));
         match place {
@@ -107,7 +131,7 @@ fn assert_same(
     assert!(left.is_empty(), "{what}: new {left:?}");
 }
 
-/// Scenes for one test. Kinds without rounding bear all exact changes.
+/// Random scenes for one test.
 fn scenes(few: u64, kinds: &[Kind], mut test: impl FnMut(&mut Random, Vec<Soup>, View, &str)) {
     for seed in 0..rounds(few) {
         for &kind in kinds {
@@ -121,6 +145,12 @@ fn scenes(few: u64, kinds: &[Kind], mut test: impl FnMut(&mut Random, Vec<Soup>,
     }
 }
 
+/// Kinds without bent quadrilaterals, whose triangles depend on which corner
+/// is the first.
+const FLAT: [Kind; 6] =
+    [Kind::General, Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned];
+
+/// Kinds that bear shifts and rotations without rounding.
 const INTEGERS: [Kind; 5] = [Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned];
 
 fn map_points(soups: &[Soup], map: impl Fn(DVec3) -> DVec3) -> Vec<Soup> {
@@ -191,7 +221,7 @@ fn shifts_without_rounding() {
 
 #[test]
 fn order_of_faces_and_vertices_and_winding() {
-    scenes(20, &Kind::ALL, |random, soups, view, what| {
+    scenes(20, &FLAT, |random, soups, view, what| {
         let before = draw(&soups, &view);
         let mut shuffled = Vec::new();
         // Where vertex i of each object went.
@@ -266,12 +296,13 @@ fn permuted_axes_and_mirrors() {
         |p| DVec3::new(-p.x, p.y, p.z),
         |p| DVec3::new(p.x, -p.z, -p.y),
     ];
-    scenes(8, &Kind::ALL, |_, soups, view, what| {
+    scenes(8, &FLAT, |_, soups, view, what| {
         let before = draw(&soups, &view);
         for map in maps {
             // Axes of the image go with the scene, so the picture stays.
             let mapped = map_view(&view, map, 1.0);
-            assert_same(&draw(&map_points(&soups, map), &mapped), &before, |_| (), what);
+            let after = draw(&map_points(&soups, map), &mapped);
+            assert_same_up_to_ties(&after, &before, 1.0, what);
         }
     });
 }
@@ -300,10 +331,8 @@ fn rational_rotations() {
         for axis in [&mut frame.right, &mut frame.up, &mut frame.forward] {
             *axis /= 7.0;
         }
-        let grow = |stretch: &mut Stretch| {
-            stretch.points = stretch.points.map(|point| point * image_scale(&view, 7.0));
-        };
-        assert_same(&draw(&map_points(&soups, rotated), &turned), &draw(&soups, &view), grow, what);
+        let after = draw(&map_points(&soups, rotated), &turned);
+        assert_same_up_to_ties(&after, &draw(&soups, &view), image_scale(&view, 7.0), what);
     });
 }
 
