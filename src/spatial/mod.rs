@@ -3,8 +3,9 @@
 //! a false "no".
 
 mod bounds;
-
+mod crossings;
 mod hierarchy;
 
 pub use bounds::{Bounds, Rounding};
+pub use crossings::Crossings;
 pub use hierarchy::{Hierarchy, SegmentProbe};

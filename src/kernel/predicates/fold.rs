@@ -22,14 +22,19 @@ pub struct FoldThreshold {
 
 impl FoldThreshold {
     /// The threshold of `degrees`, from 0 (every fold is a crease) to 180
-    /// (none is). The cosine is rounded once; from there on it is exact.
-    /// Right angles and thirds of a straight one have rational cosines and
-    /// get them, so that a box has no folds above 90 degrees.
+    /// (none is). The cosine is rounded once, the rational ones not at all;
+    /// from there on it is exact.
     pub fn from_degrees(degrees: f64) -> Self {
-        const RATIONAL: [(f64, f64); 3] = [(60.0, 0.5), (90.0, 0.0), (120.0, -0.5)];
-        let rational = RATIONAL.into_iter().find(|(angle, _)| *angle == degrees);
-        let cosine = rational.map_or_else(|| degrees.to_radians().cos(), |(_, cosine)| cosine);
-        FoldThreshold { cosine: (cosine * f64::powi(2.0, COSINE_BITS)).round() }
+        let scale = f64::powi(2.0, COSINE_BITS);
+        // Radians are rounded, so the cosine of a right angle would not be
+        // zero.
+        let cosine = match degrees {
+            60.0 => 0.5,
+            90.0 => 0.0,
+            120.0 => -0.5,
+            _ => degrees.to_radians().cos(),
+        };
+        FoldThreshold { cosine: (cosine * scale).round() }
     }
 }
 

@@ -39,16 +39,12 @@ pub(super) struct Event {
 impl<P: Policy> Walker<'_, P> {
     /// Collects the crossings with effective edges in front.
     pub(super) fn find_crossings(&mut self, walk: &Walk) {
-        let probe = walk.probe;
         let mut tested = 0;
         let mut events = std::mem::take(&mut self.events);
-        self.effective.visit(
-            |node| node.may_hide(probe.bounds()) && probe.may_meet_image(node),
-            |index| {
-                tested += 1;
-                events.extend(self.crossing(walk, index));
-            },
-        );
+        self.effective.candidates(&walk.probe, |index| {
+            tested += 1;
+            events.extend(self.crossing(walk, index));
+        });
         self.crossings_tested += tested;
         self.crossings += events.len() as u64;
         self.events = events;

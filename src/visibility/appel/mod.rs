@@ -32,7 +32,7 @@ mod walker;
 
 use crate::kernel::predicates::Policy;
 use crate::run::{Cancelled, Run, map_chunks};
-use crate::spatial::Hierarchy;
+use crate::spatial::Crossings;
 use crate::view::{ExactLines, LineQuestion};
 use walker::Walker;
 
@@ -96,7 +96,7 @@ pub fn appel<P: Policy>(
 ) -> Result<ExactLines, Cancelled> {
     let count = question.lines.len();
     run.stage("appel", count as u64, || {
-        let effective = effective_hierarchy(question);
+        let effective = effective_edges(question);
         let parts = map_chunks(count, PART, |part| {
             run.check()?;
             let mut walker = Walker::<P>::new(question, &effective, options);
@@ -121,10 +121,10 @@ pub fn appel<P: Policy>(
     })
 }
 
-/// View boxes of the effective edges.
-fn effective_hierarchy(question: &LineQuestion<'_>) -> Hierarchy {
+/// The effective edges by their view boxes.
+fn effective_edges(question: &LineQuestion<'_>) -> Crossings {
     let boxes = crate::run::map_indexed(question.effective.len(), |i| {
         question.coordinates.bounds(question.mesh.edges().ends(question.effective[i].edge))
     });
-    Hierarchy::new(&boxes)
+    Crossings::new(&boxes)
 }

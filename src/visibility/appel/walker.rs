@@ -7,7 +7,7 @@ use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Hierarchy, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, SegmentProbe};
 use crate::view::{ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
@@ -58,7 +58,7 @@ const NONE: u32 = u32::MAX;
 /// Walks lines.
 pub(super) struct Walker<'q, P: Policy> {
     pub(super) question: &'q LineQuestion<'q>,
-    pub(super) effective: &'q Hierarchy,
+    pub(super) effective: &'q Crossings,
     pub(super) predicates: Predicates<'q, P>,
     pub(super) fault: Option<Fault>,
     pub(super) events: Vec<Event>,
@@ -76,7 +76,7 @@ pub(super) struct Walker<'q, P: Policy> {
 impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn new(
         question: &'q LineQuestion<'q>,
-        effective: &'q Hierarchy,
+        effective: &'q Crossings,
         options: &AppelOptions,
     ) -> Self {
         Walker {
@@ -123,9 +123,12 @@ impl<'q, P: Policy> Walker<'q, P> {
         let near = if self.question.points.has_near_plane() {
             let sign = |point| self.predicates.value_sign(Cut::Near, point);
             match walk.carrier.ends.map(sign) {
-                [Sign::Positive, Sign::Positive] => None,
-                [Sign::Positive, _] => Some(false),
-                [_, Sign::Positive] => Some(true),
+                // An end on the near plane is the end of the line.
+                [Sign::Positive, Sign::Positive | Sign::Zero] | [Sign::Zero, Sign::Positive] => {
+                    None
+                }
+                [Sign::Positive, Sign::Negative] => Some(false),
+                [Sign::Negative, Sign::Positive] => Some(true),
                 _ => return,
             }
         } else {
@@ -196,10 +199,10 @@ impl<'q, P: Policy> Walker<'q, P> {
     fn has_image(&self, walk: &Walk) -> bool {
         if let [Some(a), Some(b)] = walk.vertices {
             let [a, b] = [a, b].map(|vertex| self.question.coordinates.bounds([vertex]));
-            // A vertex behind the eye has no image, and an empty box.
-            let seen = !a.is_empty() && !b.is_empty();
             let apart = (0..2).any(|i| a.high[i] < b.low[i] || b.high[i] < a.low[i]);
-            if seen && apart {
+            // Vertices behind the eye have no boxes, and may be one image
+            // with one in front: the line passes through the eye.
+            if apart && !a.is_empty() && !b.is_empty() {
                 return true;
             }
         }

@@ -1,0 +1,227 @@
+//! The product equals the judge.
+//!
+//! Appel's method counts once and adds up events at a few edges; Roberts
+//! intersects every line with every triangle. They share the predicates and
+//! nothing else, and the judge is tested against the definition in integers
+//! beside its own code. So every piece of every line must be the same: as
+//! many, hidden by as many sheets, with ends that are equal exactly. A
+//! difference is reduced to the fewest faces that show it before it is
+//! reported.
+//!
+//! The same must hold if the piercings are searched line by line, and for
+//! the visible pieces alone; and edges that gain nothing may be handed in
+//! as effective ones without effect. Each deliberate fault must be noticed.
+
+use super::scenes::{Kind, Random, random_camera, random_soups, rounds};
+use std::cmp::Ordering;
+use umriss::kernel::predicates::{Carrier, Exact, Place, Predicates};
+use umriss::model::{EffectiveEdge, FeatureOptions, LineClass, Mesh, Soup, View};
+use umriss::run::Run;
+use umriss::view::{ExactLines, ExactPiece, LineQuestion, PreparedView};
+use umriss::visibility::{AppelOptions, Fault, appel, roberts};
+
+fn every_class() -> FeatureOptions {
+    FeatureOptions::default().with_classes(&LineClass::ALL)
+}
+
+fn ask_appel(question: &LineQuestion<'_>) -> ExactLines {
+    appel::<Exact>(question, &AppelOptions::default(), &Run::default()).expect("not cancelled")
+}
+
+fn ask_roberts(question: &LineQuestion<'_>) -> ExactLines {
+    roberts::<Exact>(question, None, &Run::default()).expect("not cancelled")
+}
+
+/// Whether two places of a carrier are the same point.
+fn same_place(predicates: &Predicates<'_, Exact>, carrier: Carrier, a: Place, b: Place) -> bool {
+    match (a, b) {
+        (Place::Cut(a), Place::Cut(b)) => {
+            let [x, y] = [a, b].map(|cut| carrier.ends.map(|end| predicates.value(cut, end)));
+            predicates.order(carrier, (a, &x), (b, &y)) == Ordering::Equal
+        }
+        (a, b) => a == b,
+    }
+}
+
+/// The first line on which two answers differ.
+fn first_difference(
+    question: &LineQuestion<'_>,
+    found: &ExactLines,
+    expected: &ExactLines,
+) -> Option<String> {
+    let predicates = Predicates::<Exact>::new(question.points);
+    (0..question.lines.len()).find_map(|i| {
+        let carrier = question.carrier(&question.lines[i]);
+        let same = |a: &ExactPiece, b: &ExactPiece| {
+            a.invisibility == b.invisibility
+                && same_place(&predicates, carrier, a.from, b.from)
+                && same_place(&predicates, carrier, a.to, b.to)
+        };
+        let (x, y) = (found.line(i), expected.line(i));
+        let equal = x.len() == y.len() && x.iter().zip(y).all(|(a, b)| same(a, b));
+        (!equal).then(|| {
+            format!("line {:?} {carrier:?}\n  found    {x:?}\n  expected {y:?}", question.lines[i])
+        })
+    })
+}
+
+/// All comparisons on one scene; the number of pieces if all is well.
+fn check(soups: &[Soup], view: &View) -> Result<usize, String> {
+    let Ok(mesh) = Mesh::new(soups.to_vec(), None) else {
+        return Ok(0);
+    };
+    let run = Run::default();
+    let prepared = PreparedView::new::<Exact>(&mesh, view, &every_class(), &run).expect("a view");
+    let question = prepared.question(true);
+    let judged = ask_roberts(&question);
+    let compare =
+        |what: &str, question: &LineQuestion<'_>, expected: &ExactLines| match first_difference(
+            question,
+            &ask_appel(question),
+            expected,
+        ) {
+            Some(difference) => Err(format!("{what}: {difference}")),
+            None => Ok(()),
+        };
+    compare("all pieces", &question, &judged)?;
+    compare("piercings line by line", &LineQuestion { piercings: None, ..question }, &judged)?;
+    let effective = with_idle_edges(&question);
+    compare("idle edges", &LineQuestion { effective: &effective, ..question }, &judged)?;
+    let mut visible = ExactLines::default();
+    for i in 0..judged.len() {
+        visible.push_line(judged.line(i).iter().copied().filter(|piece| piece.invisibility == 0));
+    }
+    compare("visible pieces", &prepared.question(false), &visible)?;
+    Ok(judged.piece_count())
+}
+
+/// All edges as effective ones, most of them with a gain of nothing.
+fn with_idle_edges(question: &LineQuestion<'_>) -> Vec<EffectiveEdge> {
+    let gain = |edge| {
+        let found = question.effective.iter().find(|effective| effective.edge == edge);
+        found.map_or(0, |effective| effective.gain)
+    };
+    let edges = 0..question.mesh.edges().len() as u32;
+    edges.map(|edge| EffectiveEdge { edge, gain: gain(edge) }).collect()
+}
+
+/// The soup without one of its faces or lines.
+fn without(soup: &Soup, part: usize) -> Soup {
+    let mut smaller = Soup { faces: Default::default(), lines: Vec::new(), ..soup.clone() };
+    for face in (0..soup.faces.len()).filter(|&face| face != part) {
+        let mut rings = soup.faces.rings(face);
+        smaller.faces.push(rings.next().expect("an outer ring"), rings);
+    }
+    let lines = (0..soup.lines.len()).filter(|line| line + soup.faces.len() != part);
+    smaller.lines.extend(lines.map(|line| soup.lines[line]));
+    smaller
+}
+
+/// Takes away whatever the difference does not need, and describes the rest.
+fn reduced(mut soups: Vec<Soup>, view: &View) -> String {
+    'again: loop {
+        for object in 0..soups.len() {
+            for part in 0..soups[object].faces.len() + soups[object].lines.len() {
+                let mut fewer = soups.clone();
+                fewer[object] = without(&soups[object], part);
+                if check(&fewer, view).is_err() {
+                    soups = fewer;
+                    continue 'again;
+                }
+            }
+        }
+        break;
+    }
+    let mut text = format!("{:?} {:?}\n", view.eye, view.near);
+    for soup in &soups {
+        text += "object\n";
+        for face in 0..soup.faces.len() {
+            let ring = soup.faces.rings(face).next().expect("an outer ring");
+            let ring: Vec<_> = ring.iter().map(|&i| soup.vertices[i as usize].to_array()).collect();
+            text += &format!("  face {ring:?}\n");
+        }
+        for line in &soup.lines {
+            let ends = line.map(|i| soup.vertices[i as usize].to_array());
+            text += &format!("  line {ends:?}\n");
+        }
+    }
+    let difference = check(&soups, view).err().unwrap_or_default();
+    text + &difference
+}
+
+fn random_scene(kind: Kind, seed: u64) -> (Vec<Soup>, View) {
+    let mut random = Random(seed ^ (kind as u64) << 48);
+    let soups = random_soups(&mut random, kind);
+    let view = random_camera(&mut random, &soups);
+    (soups, view)
+}
+
+fn equals_the_judge(kind: Kind, few: u64) {
+    let (mut pieces, mut failures) = (0, Vec::new());
+    for seed in 0..rounds(few) {
+        let (soups, view) = random_scene(kind, seed);
+        match check(&soups, &view) {
+            Ok(count) => pieces += count,
+            Err(_) => failures.push((seed, reduced(soups, &view))),
+        }
+    }
+    failures.sort_by_key(|(_, text)| text.len());
+    let shortest = failures.first().map(|(seed, text)| format!("seed {seed}: {text}"));
+    assert!(failures.is_empty(), "{} scenes of {kind:?}; {}", failures.len(), shortest.unwrap());
+    assert!(pieces as u64 > 10 * few, "{kind:?}: only {pieces} pieces");
+}
+
+#[test]
+fn soups_in_general_position() {
+    equals_the_judge(Kind::General, 150);
+}
+
+#[test]
+fn soups_on_a_grid() {
+    equals_the_judge(Kind::Grid, 350);
+}
+
+#[test]
+fn soups_over_few_vertices() {
+    equals_the_judge(Kind::Pool, 200);
+}
+
+#[test]
+fn boxes_on_a_grid() {
+    equals_the_judge(Kind::Boxes, 80);
+}
+
+#[test]
+fn soups_in_few_planes() {
+    equals_the_judge(Kind::Planes, 100);
+}
+
+#[test]
+fn turned_grids() {
+    equals_the_judge(Kind::Turned, 80);
+}
+
+#[test]
+fn nearly_degenerate_soups() {
+    equals_the_judge(Kind::Nearly, 80);
+}
+
+#[test]
+fn every_fault_is_noticed() {
+    for fault in Fault::ALL {
+        let noticed = (0..200).any(|seed| {
+            let (soups, view) = random_scene(Kind::Grid, seed);
+            let Ok(mesh) = Mesh::new(soups, None) else {
+                return false;
+            };
+            let run = Run::default();
+            let options = AppelOptions { fault: Some(fault) };
+            let prepared =
+                PreparedView::new::<Exact>(&mesh, &view, &every_class(), &run).expect("a view");
+            let question = prepared.question(true);
+            let found = appel::<Exact>(&question, &options, &run).expect("not cancelled");
+            first_difference(&question, &found, &ask_roberts(&question)).is_some()
+        });
+        assert!(noticed, "{} changes nothing", fault.name());
+    }
+}

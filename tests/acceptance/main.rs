@@ -1,0 +1,18 @@
+//! Acceptance: what the methods promise, from the mesh to the drawing.
+//!
+//! Each file takes one promise of the design: the product equals the judge
+//! (`appel`), proposals lose nothing (`crossings`), classes of lines
+//! (`features`), interpenetration (`intersections`), what must not matter
+//! (`invariances`), and scenes that break floating-point programs, looked at
+//! once and compared whole ever since (`degenerate`).
+//!
+//! Random scenes come from seeds, which every failure names. `UMRISS_LONG=1`
+//! runs a hundred times as many.
+
+mod appel;
+mod crossings;
+mod degenerate;
+mod features;
+mod intersections;
+mod invariances;
+mod scenes;
