@@ -126,8 +126,7 @@ impl Segments {
     /// Cells of a fixed size over [-1, 1] squared; a segment is in all cells
     /// that its box meets.
     fn grid(&self, side: usize) -> Vec<[u32; 2]> {
-        let cell =
-            |x: f32| (((x + 1.0) * 0.5 * side as f32) as usize).min(side.saturating_sub(1));
+        let cell = |x: f32| (((x + 1.0) * 0.5 * side as f32) as usize).min(side.saturating_sub(1));
         let mut cells: Vec<Vec<u32>> = vec![Vec::new(); side * side];
         for index in self.all() {
             let bounds = &self.boxes[index as usize];
@@ -259,8 +258,11 @@ fn boxes_err_outward_only_in_parallel_views() {
             .map(|_| random_segment(&mut random, grid).map(|point| point * scale + offset))
             .collect();
         let forward = random.choose(&[random.clone().point(), DVec3::Y, -DVec3::ONE]);
-        crossings +=
-            nothing_is_lost(&lines, &orthographic(forward), &format!("seed {seed}, {scale}, {far}"));
+        crossings += nothing_is_lost(
+            &lines,
+            &orthographic(forward),
+            &format!("seed {seed}, {scale}, {far}"),
+        );
     }
     assert!(crossings > 10_000, "{crossings}");
 }

@@ -233,10 +233,8 @@ fn a_bent_quadrilateral_shows_its_fold_only_as_a_contour() {
 
 #[test]
 fn a_smooth_flat_seam_is_drawn_only_as_a_mesh_line() {
-    let halves = [
-        vec![DVec3::ZERO, DVec3::X, DVec3::Y],
-        vec![DVec3::X, dvec3(1.0, 1.0, 0.0), DVec3::Y],
-    ];
+    let halves =
+        [vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![DVec3::X, dvec3(1.0, 1.0, 0.0), DVec3::Y]];
     let flat = mesh(vec![polygons(&halves, &[])]);
     let view = orthographic(ASKEW);
     assert_eq!(classes(&flat, &view, &FeatureOptions::default()).len(), 4);

@@ -94,9 +94,8 @@ fn interpenetrating_cubes_look_like_their_union() {
     ];
     let union: Vec<Vec<DVec3>> =
         (0..3).flat_map(|times| faces.iter().map(move |face| turned(face, times))).collect();
-    let cubes = [0.0, 1.0].map(|low| {
-        polygons(&cuboid(DVec3::splat(low), DVec3::splat(low + 2.0)), &[])
-    });
+    let cubes =
+        [0.0, 1.0].map(|low| polygons(&cuboid(DVec3::splat(low), DVec3::splat(low + 2.0)), &[]));
     for (name, view) in views() {
         let found = draw(cubes.to_vec(), &view);
         let expected = draw(vec![polygons(&union, &[])], &view);
@@ -152,9 +151,8 @@ fn crossing_boxes_look_like_their_union() {
 
 #[test]
 fn crossing_squares_share_one_line_and_their_borders_are_cut() {
-    let corners = |f: fn(f64, f64) -> DVec3| {
-        vec![f(-1.0, -1.0), f(1.0, -1.0), f(1.0, 1.0), f(-1.0, 1.0)]
-    };
+    let corners =
+        |f: fn(f64, f64) -> DVec3| vec![f(-1.0, -1.0), f(1.0, -1.0), f(1.0, 1.0), f(-1.0, 1.0)];
     let floor = polygons(&[corners(|s, t| dvec3(2.0 * s, 2.0 * t, 0.0))], &[]);
     let wall = polygons(&[corners(|s, t| dvec3(0.25 * s, s, t))], &[]);
     let drawn = draw(vec![floor, wall], &orthographic(dvec3(-3.0, -1.0, -2.0)));
@@ -236,7 +234,8 @@ fn faces_may_cross_at_a_common_vertex() {
 #[test]
 fn duplicates_of_a_crossing_face_draw_the_line_once() {
     let floor = || polygons(&[[[-4., -4., 0.], [4., -4., 0.], [0., 4., 0.]].map(DVec3::from)], &[]);
-    let blade = || polygons(&[[[-1., -2., -1.], [1., -2., -1.], [0., 0., 1.]].map(DVec3::from)], &[]);
+    let blade =
+        || polygons(&[[[-1., -2., -1.], [1., -2., -1.], [0., 0., 1.]].map(DVec3::from)], &[]);
     let view = orthographic(dvec3(0.5, 1.0, -2.0));
     let once = draw(vec![floor(), blade()], &view);
     let twice = draw(vec![floor(), blade(), blade(), floor()], &view);

@@ -125,12 +125,7 @@ fn assert_same_up_to_ties(
     assert_matched(found, expected, tolerance, what);
 }
 
-fn assert_matched(
-    mut left: Vec<Stretch>,
-    expected: Vec<Stretch>,
-    tolerance: f64,
-    what: &str,
-) {
+fn assert_matched(mut left: Vec<Stretch>, expected: Vec<Stretch>, tolerance: f64, what: &str) {
     for stretch in expected {
         let size = stretch.points.iter().map(|point| point.length()).fold(0.0, f64::max);
         let place = left.iter().position(|other| stretch.covers(other, tolerance * size));

@@ -124,8 +124,9 @@ impl<'q, P: Policy> Walker<'q, P> {
             let sign = |point| self.predicates.value_sign(Cut::Near, point);
             match walk.carrier.ends.map(sign) {
                 // An end on the near plane is the end of the line.
-                [Sign::Positive, Sign::Positive | Sign::Zero]
-                | [Sign::Zero, Sign::Positive] => None,
+                [Sign::Positive, Sign::Positive | Sign::Zero] | [Sign::Zero, Sign::Positive] => {
+                    None
+                }
                 [Sign::Positive, Sign::Negative] => Some(false),
                 [Sign::Negative, Sign::Positive] => Some(true),
                 _ => return,

@@ -11,8 +11,7 @@ fn up_for(forward: DVec3) -> DVec3 {
 
 /// Parallel rays along `forward`.
 pub(crate) fn orthographic(forward: DVec3) -> View {
-    let camera =
-        Camera::Orthographic { forward, target: Some(DVec3::ZERO), up: up_for(forward) };
+    let camera = Camera::Orthographic { forward, target: Some(DVec3::ZERO), up: up_for(forward) };
     camera.view((DVec3::ZERO, DVec3::ONE)).expect("a view")
 }
 
