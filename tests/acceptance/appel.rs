@@ -167,8 +167,9 @@ fn equals_the_judge(kind: Kind, few: u64) {
         }
     }
     failures.sort_by_key(|(_, text)| text.len());
-    let shortest = failures.first().map(|(seed, text)| format!("seed {seed}: {text}"));
-    assert!(failures.is_empty(), "{} scenes of {kind:?}; {}", failures.len(), shortest.unwrap());
+    if let Some((seed, text)) = failures.first() {
+        panic!("{} scenes of {kind:?}; seed {seed}: {text}", failures.len());
+    }
     assert!(pieces as u64 > 10 * few, "{kind:?}: only {pieces} pieces");
 }
 

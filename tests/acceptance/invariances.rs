@@ -8,16 +8,12 @@
 //! Pieces of one straight run that differ in nothing are joined first, for
 //! the triangulation of a polygon is not part of its geometry.
 //!
-//! An eye very far away sees what parallel rays see, and the number of
-//! threads changes not a byte.
+//! An eye very far away sees what parallel rays see.
 
 use super::scenes::{
-    Kind, Random, assert_same_picture, cuboid, orthographic, polygons, random_camera, random_soups,
-    rounds,
+    Kind, Random, assert_same_picture, orthographic, random_camera, random_soups, rounds,
 };
 use glam::{DVec2, DVec3};
-use umriss::drawing::{Drawing, DrawingOptions, Hidden};
-use umriss::export::{SvgOptions, to_json, to_svg};
 use umriss::kernel::predicates::{Exact, Eye};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::run::Run;
@@ -373,30 +369,6 @@ fn a_very_far_eye_sees_what_parallel_rays_see() {
         });
         assert_eq!(answers[0], answers[1], "seed {seed}");
     }
-}
-
-#[test]
-fn bytes_do_not_depend_on_threads() {
-    let mut random = Random(5);
-    let boxes: Vec<Soup> = (0..150)
-        .map(|_| {
-            let low = random.grid_point(12);
-            polygons(&cuboid(low, low + DVec3::ONE + random.grid_point(3)), &[])
-        })
-        .collect();
-    let view = orthographic(DVec3::new(-3.0, 5.0, -4.0));
-    let written = [1, 2, 8].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| {
-            let lines = draw(&boxes, &view);
-            let options = DrawingOptions { hidden: Hidden::Dashed, ..DrawingOptions::default() };
-            let drawing = Drawing::new(&lines, &options).expect("a drawing");
-            let svg = to_svg(&drawing, &SvgOptions::default()).expect("an SVG");
-            (to_json(&lines).expect("JSON"), svg)
-        })
-    });
-    assert!(written[0].1.len() > 10_000);
-    assert!(written[0] == written[1] && written[0] == written[2]);
 }
 
 #[test]
