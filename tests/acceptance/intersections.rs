@@ -167,9 +167,8 @@ fn crossing_squares_share_one_line_and_their_borders_are_cut() {
     // The wall's upright borders are seen down to the floor.
     for end in ends {
         let cuts = drawn.pieces.iter().filter(|piece| {
-            piece.class == LineClass::Boundary && piece.points.contains(&end)
-                || piece.points.iter().any(|point| point.distance(end) < 1e-15)
-                    && piece.class == LineClass::Boundary
+            let touches = piece.points.iter().any(|point| point.distance(end) < 1e-15);
+            touches && piece.class == LineClass::Boundary
         });
         let mut levels: Vec<u32> = cuts.map(|piece| piece.invisibility).collect();
         levels.sort_unstable();

@@ -8,16 +8,12 @@
 //! Pieces of one straight run that differ in nothing are joined first, for
 //! the triangulation of a polygon is not part of its geometry.
 //!
-//! An eye very far away sees what parallel rays see, and the number of
-//! threads changes not a byte.
+//! An eye very far away sees what parallel rays see.
 
 use super::scenes::{
-    Kind, Random, assert_same_picture, cuboid, orthographic, polygons, random_camera, random_soups,
-    rounds,
+    Kind, Random, assert_same_picture, orthographic, random_camera, random_soups, rounds,
 };
 use glam::{DVec2, DVec3};
-use umriss::drawing::{Drawing, DrawingOptions, Hidden};
-use umriss::export::{SvgOptions, to_json, to_svg};
 use umriss::kernel::predicates::{Exact, Eye};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::run::Run;
@@ -100,12 +96,18 @@ fn assert_same(
 ) {
     let mut expected = stretches(expected);
     expected.iter_mut().for_each(change);
-    assert_matched(stretches(found), expected, what);
+    assert_matched(stretches(found), expected, 1e-9, what);
 }
 
 /// The same, but where lines coincide another one of them may be drawn: the
 /// one with the least coordinates is, and the axes have changed.
-fn assert_same_up_to_ties(found: &VisibleLines, expected: &VisibleLines, scale: f64, what: &str) {
+fn assert_same_up_to_ties(
+    found: &VisibleLines,
+    expected: &VisibleLines,
+    scale: f64,
+    tolerance: f64,
+    what: &str,
+) {
     let [found, mut expected] = [found, expected].map(|lines| {
         let pieces = lines.pieces.iter().map(|piece| {
             let stretch = Stretch::new(piece);
@@ -116,13 +118,13 @@ fn assert_same_up_to_ties(found: &VisibleLines, expected: &VisibleLines, scale: 
     for stretch in &mut expected {
         stretch.points = stretch.points.map(|point| point * scale);
     }
-    assert_matched(found, expected, what);
+    assert_matched(found, expected, tolerance, what);
 }
 
-fn assert_matched(mut left: Vec<Stretch>, expected: Vec<Stretch>, what: &str) {
+fn assert_matched(mut left: Vec<Stretch>, expected: Vec<Stretch>, tolerance: f64, what: &str) {
     for stretch in expected {
         let size = stretch.points.iter().map(|point| point.length()).fold(0.0, f64::max);
-        let place = left.iter().position(|other| stretch.covers(other, 1e-9 * size));
+        let place = left.iter().position(|other| stretch.covers(other, tolerance * size));
         match place {
             Some(place) => drop(left.swap_remove(place)),
             None => panic!("{what}: no longer {stretch:?}\n  but {left:#?}"),
@@ -302,7 +304,7 @@ fn permuted_axes_and_mirrors() {
             // Axes of the image go with the scene, so the picture stays.
             let mapped = map_view(&view, map, 1.0);
             let after = draw(&map_points(&soups, map), &mapped);
-            assert_same_up_to_ties(&after, &before, 1.0, what);
+            assert_same_up_to_ties(&after, &before, 1.0, 1e-9, what);
         }
     });
 }
@@ -332,7 +334,9 @@ fn rational_rotations() {
             *axis /= 7.0;
         }
         let after = draw(&map_points(&soups, rotated), &turned);
-        assert_same_up_to_ties(&after, &draw(&soups, &view), image_scale(&view, 7.0), what);
+        // The near plane keeps 24 bits of its distance.
+        let before = draw(&soups, &view);
+        assert_same_up_to_ties(&after, &before, image_scale(&view, 7.0), 1e-6, what);
     });
 }
 
@@ -365,30 +369,6 @@ fn a_very_far_eye_sees_what_parallel_rays_see() {
         });
         assert_eq!(answers[0], answers[1], "seed {seed}");
     }
-}
-
-#[test]
-fn bytes_do_not_depend_on_threads() {
-    let mut random = Random(5);
-    let boxes: Vec<Soup> = (0..150)
-        .map(|_| {
-            let low = random.grid_point(12);
-            polygons(&cuboid(low, low + DVec3::ONE + random.grid_point(3)), &[])
-        })
-        .collect();
-    let view = orthographic(DVec3::new(-3.0, 5.0, -4.0));
-    let written = [1, 2, 8].map(|threads| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| {
-            let lines = draw(&boxes, &view);
-            let options = DrawingOptions { hidden: Hidden::Dashed, ..DrawingOptions::default() };
-            let drawing = Drawing::new(&lines, &options).expect("a drawing");
-            let svg = to_svg(&drawing, &SvgOptions::default()).expect("an SVG");
-            (to_json(&lines).expect("JSON"), svg)
-        })
-    });
-    assert!(written[0].1.len() > 10_000);
-    assert!(written[0] == written[1] && written[0] == written[2]);
 }
 
 #[test]

@@ -2,17 +2,22 @@
 //!
 //! Each file takes one promise of the design: the product equals the judge
 //! (`appel`), proposals lose nothing (`crossings`), classes of lines
-//! (`features`), interpenetration (`intersections`), what must not matter
-//! (`invariances`), and scenes that break floating-point programs, looked at
-//! once and compared whole ever since (`degenerate`).
+//! (`features`), interpenetration (`intersections`), one line where several
+//! coincide (`reduction`), what must not matter (`invariances`, `threads`),
+//! and scenes that break floating-point programs, looked at once and
+//! compared whole ever since (`degenerate`).
 //!
 //! Random scenes come from seeds, which every failure names. `UMRISS_LONG=1`
 //! runs a hundred times as many.
 
 mod appel;
 mod crossings;
+#[cfg(all(feature = "json", feature = "png"))]
 mod degenerate;
 mod features;
 mod intersections;
 mod invariances;
+mod reduction;
 mod scenes;
+#[cfg(all(feature = "json", feature = "svg", feature = "parallel"))]
+mod threads;

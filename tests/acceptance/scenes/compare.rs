@@ -28,7 +28,8 @@ pub(crate) fn assert_same_picture(a: &VisibleLines, b: &VisibleLines, what: &str
     assert!((x - y).abs() < 1e-8 * (1.0 + x), "{what}: lengths {x} and {y}");
 }
 
-fn distance(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
+/// The distance of a point from a segment.
+pub(crate) fn distance(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     let along = to - from;
     let t = ((point - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
     point.distance(from.lerp(to, t))

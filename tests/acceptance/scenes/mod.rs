@@ -8,7 +8,7 @@ mod shapes;
 mod soups;
 
 pub(crate) use cameras::{orthographic, perspective, random_camera};
-pub(crate) use compare::assert_same_picture;
+pub(crate) use compare::{assert_same_picture, distance};
 pub(crate) use random::{Random, rounds};
 pub(crate) use shapes::{cuboid, polygons};
 pub(crate) use soups::{Kind, random_soups};

@@ -1,0 +1,106 @@
+//! Where lines coincide in the image, one of them is drawn.
+//!
+//! The drawing of all lines together is compared with the drawings of each
+//! line alone, on scenes in which most lines lie on others: together they
+//! must cover the same points, a point that any line shows is shown, one
+//! that all lines hide has the fewest sheets of any of them, and no two
+//! pieces overlap.
+
+use super::scenes::{Kind, Random, distance, random_camera, random_soups, rounds};
+use glam::DVec2;
+use umriss::kernel::predicates::Exact;
+use umriss::model::{FeatureOptions, LineClass, Mesh};
+use umriss::run::Run;
+use umriss::view::{ExactLines, LinePiece, LineQuestion, PreparedView};
+use umriss::visibility::{AppelOptions, appel, reduce};
+
+/// Nearer than this, relative to the scene's few units, is the same point.
+const NEAR: f64 = 1e-9;
+
+fn reduced(question: &LineQuestion<'_>, answer: &ExactLines) -> Vec<LinePiece> {
+    reduce::<Exact>(question, answer, &Run::default()).expect("not cancelled").pieces
+}
+
+/// The pieces of each line as if it were the only one.
+fn alone(question: &LineQuestion<'_>, answer: &ExactLines) -> Vec<LinePiece> {
+    let each = question.lines.iter().enumerate().flat_map(|(i, line)| {
+        let mut one = ExactLines::default();
+        one.push_line(answer.line(i).iter().copied());
+        reduced(&LineQuestion { lines: std::slice::from_ref(line), ..*question }, &one)
+    });
+    each.collect()
+}
+
+/// The fewest sheets over a point among pieces that run along `direction`
+/// there, if there are any.
+fn level(pieces: &[LinePiece], point: DVec2, direction: DVec2) -> Option<u32> {
+    let along = |piece: &&LinePiece| {
+        let other = piece.points[1] - piece.points[0];
+        let parallel = direction.perp_dot(other).abs() < NEAR * direction.length() * other.length();
+        parallel && distance(point, piece.points) < NEAR
+    };
+    pieces.iter().filter(along).map(|piece| piece.invisibility).min()
+}
+
+/// Points inside a piece, away from where anything may end on it.
+fn samples(piece: &LinePiece, others: &[LinePiece]) -> Vec<DVec2> {
+    let [from, to] = piece.points;
+    let ends = || others.iter().flat_map(|other| other.points);
+    (1..12)
+        .map(|i| from.lerp(to, f64::from(i) / 12.0))
+        .filter(|point| ends().all(|end| end.distance(*point) > 1e-6))
+        .collect()
+}
+
+#[test]
+fn one_line_is_drawn_where_several_coincide() {
+    let options = FeatureOptions::default().with_classes(&LineClass::ALL);
+    let mut checked = 0;
+    for seed in 0..rounds(60) {
+        for kind in [Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned] {
+            let mut random = Random(seed ^ 0xc01c << 32 ^ (kind as u64) << 56);
+            let soups = random_soups(&mut random, kind);
+            let view = random_camera(&mut random, &soups);
+            let Ok(mesh) = Mesh::new(soups, None) else {
+                continue;
+            };
+            // Points next to a near plane close to the eye are far out in
+            // the image, where a fixed nearness says nothing.
+            if view.eye.is_perspective() {
+                continue;
+            }
+            let run = Run::default();
+            let prepared =
+                PreparedView::new::<Exact>(&mesh, &view, &options, &run).expect("a view");
+            let question = prepared.question(true);
+            let answer = appel::<Exact>(&question, &AppelOptions::default(), &run);
+            let answer = answer.expect("not cancelled");
+            let (all, single) = (reduced(&question, &answer), alone(&question, &answer));
+            for (pieces, others) in [(&all, &single), (&single, &all)] {
+                for piece in pieces {
+                    let direction = piece.points[1] - piece.points[0];
+                    for point in samples(piece, others) {
+                        let levels = [&all, &single].map(|list| level(list, point, direction));
+                        let what = format!("seed {seed} of {kind:?} at {point} of {piece:?}");
+                        assert!(levels[0].is_some() && levels[0] == levels[1], "{what} {levels:?}");
+                        checked += 1;
+                    }
+                }
+            }
+            assert_disjoint(&all, &format!("seed {seed} of {kind:?}"));
+        }
+    }
+    assert!(checked as u64 > 10_000, "{checked}");
+}
+
+/// Panics if two pieces have more than an end in common.
+fn assert_disjoint(pieces: &[LinePiece], what: &str) {
+    for (i, piece) in pieces.iter().enumerate() {
+        let direction = piece.points[1] - piece.points[0];
+        for point in samples(piece, pieces) {
+            let others = [&pieces[..i], &pieces[i + 1..]];
+            let covered = others.iter().find_map(|list| level(list, point, direction));
+            assert_eq!(covered, None, "{what}: {point} is drawn twice, once by {piece:?}");
+        }
+    }
+}
