@@ -299,3 +299,27 @@ fn help_has_examples_for_every_command() {
     }
     assert!(folder.succeeds("--version").output.starts_with("umriss 0."));
 }
+
+#[test]
+fn a_drawing_is_proved_and_the_differences_of_a_broken_one_are_shown() {
+    let folder = Folder::with_cube();
+    let told = folder.succeeds("verify cube.obj --eye 40,-50,30 --picture clean.png").output;
+    assert!(told.lines().any(|line| line.starts_with("judge") && line.contains("12")));
+    let mut broken = folder.command("verify cube.obj --break start-visible --picture broken.png");
+    let result = broken.output().unwrap();
+    let errors = String::from_utf8(result.stderr).unwrap();
+    assert_eq!(errors, "umriss: the checks differ: expected no difference\n");
+    assert_eq!(result.status.code(), Some(1));
+    let pictures = ["clean.png", "broken.png"].map(|name| folder.bytes(name));
+    assert!(pictures.iter().all(|bytes| bytes.starts_with(b"\x89PNG")));
+    assert!(pictures[0] != pictures[1]);
+}
+
+#[test]
+fn both_methods_draw_the_same_lines() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(12));
+    folder.succeeds("draw wave.obj -o appel.svg --hidden dashed");
+    folder.succeeds("draw wave.obj -o roberts.svg --hidden dashed --method roberts");
+    assert_eq!(folder.text("appel.svg"), folder.text("roberts.svg"));
+}

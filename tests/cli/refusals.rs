@@ -31,7 +31,7 @@ fn command_lines_that_make_no_sense_end_with_two() {
         ),
         (
             "draw cube.obj -o a.svg --method painter",
-            "--method painter: this build has no such method, expected appel\n",
+            "--method painter: this build has no such method, expected appel or roberts\n",
         ),
         ("draw cube.obj -o a.svg -o a.svg", "--output a.svg is given twice\n"),
         ("draw cube.obj -o -", "--output - needs --format to say what to write\n"),

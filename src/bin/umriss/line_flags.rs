@@ -6,7 +6,7 @@ use umriss::kernel::predicates::Exact;
 use umriss::model::{FeatureOptions, LineClass};
 use umriss::run::Run;
 use umriss::view::{ExactLines, LineQuestion};
-use umriss::visibility::{AppelOptions, appel};
+use umriss::visibility::{AppelOptions, appel, roberts};
 
 /// Which edges are lines.
 #[derive(Args)]
@@ -45,8 +45,7 @@ impl LineFlags {
 pub(crate) enum Method {
     /// Quantitative invisibility
     Appel,
-    /// Each line against each face
-    #[value(hide = true)]
+    /// Each line against each face that may hide it; slow, to compare with
     Roberts,
     /// Regions
     #[value(hide = true)]
@@ -60,12 +59,12 @@ impl Method {
     /// Refuses methods that this build has not got.
     pub(crate) fn check(self) -> Result<(), Failure> {
         match self {
-            Method::Appel => Ok(()),
-            Method::Roberts | Method::WeilerAtherton | Method::Painter => {
+            Method::Appel | Method::Roberts => Ok(()),
+            Method::WeilerAtherton | Method::Painter => {
                 let name = self.to_possible_value();
                 let name = name.as_ref().map_or("", |value| value.get_name());
                 Err(Failure::usage(format!(
-                    "--method {name}: this build has no such method, expected appel"
+                    "--method {name}: this build has no such method, expected appel or roberts"
                 )))
             }
         }
@@ -78,7 +77,10 @@ impl Method {
         run: &Run<'_>,
     ) -> Result<ExactLines, Failure> {
         self.check()?;
-        Ok(appel::<Exact>(question, &AppelOptions::default(), run)?)
+        match self {
+            Method::Roberts => Ok(roberts::<Exact>(question, None, run)?),
+            _ => Ok(appel::<Exact>(question, &AppelOptions::default(), run)?),
+        }
     }
 }
 

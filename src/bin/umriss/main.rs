@@ -21,6 +21,8 @@ mod model_flags;
 mod models;
 mod outputs;
 mod page_flags;
+#[cfg(feature = "png")]
+mod picture;
 mod progress;
 mod session;
 mod verify;
