@@ -157,7 +157,7 @@ fn add_face(
             let corners = rings.concat();
             result.corners.iter().for_each(|t| push(t.map(|i| corners[i as usize])));
         }
-        Err(error) if error == TriangulationError::ZeroArea => report.zero_area_faces += 1,
+        Err(TriangulationError::ZeroArea) => report.zero_area_faces += 1,
         Err(_) => {
             // No simple polygon: a fan at least draws its edges.
             report.crossed_faces += 1;

@@ -232,8 +232,9 @@ impl SegmentProbe {
         let half = |i: usize| other.high[i] * 0.5 - other.low[i] * 0.5;
         let (x, y) = (middle(0) - self.start[0], middle(1) - self.start[1]);
         let reach = nx.abs() * half(0) + ny.abs() * half(1) + self.slack;
-        // Written so that NaN says "maybe".
-        !((nx * x + ny * y).abs() > reach)
+        // Not comparable, where something is unbounded, says "maybe".
+        let offset = (nx * x + ny * y).abs();
+        offset.partial_cmp(&reach) != Some(std::cmp::Ordering::Greater)
     }
 }
 

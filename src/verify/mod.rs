@@ -6,7 +6,7 @@
 //! - *cover*: the pieces are in order, without gap or overlap, maximal, and
 //!   reach from one end of each line to the other;
 //! - *count*: the sheets in front of one exact point of each piece, counted
-//!   afresh (see [`SheetCounter`](crate::raster::SheetCounter));
+//!   afresh (see [`SheetCounter`]);
 //! - *judge*: the pieces against those of Roberts' method, places compared
 //!   exactly;
 //! - *image*: the middle of each piece against an image made by casting

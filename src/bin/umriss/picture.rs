@@ -26,8 +26,8 @@ pub(crate) fn picture(
     }
     let object = lines.objects.len() as u32;
     lines.objects.push(DIFFERENCES.to_owned());
-    let mut run = lines.pieces.iter().map(|piece| piece.run + 1).max().unwrap_or(0);
-    for points in differences {
+    let first_run = lines.pieces.iter().map(|piece| piece.run + 1).max().unwrap_or(0);
+    for (points, run) in differences.zip(first_run..) {
         lines.pieces.push(LinePiece {
             class: LineClass::Line,
             invisibility: 0,
@@ -37,7 +37,6 @@ pub(crate) fn picture(
             source: LineSource::Edge([0; 2]),
             run,
         });
-        run += 1;
     }
     let options = DrawingOptions {
         hidden: Hidden::Dashed,

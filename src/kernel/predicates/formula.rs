@@ -15,27 +15,27 @@ use crate::kernel::numbers::{Ring, determinant3, difference, dot};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(usize)]
 pub enum Predicate {
-    /// [`Side`].
+    /// On which side of a projected line lies a vertex?
     Side,
-    /// [`Orientation`].
+    /// On which side of a plane lies a vertex?
     Orientation,
-    /// [`Value`]: a plane's functional at an end of a carrier.
+    /// A plane's functional at an end of a carrier.
     Value,
-    /// [`Order`]: two cuts along a carrier.
+    /// Two cuts along a carrier.
     Order,
-    /// [`AlongImage`]: two places along coincident images.
+    /// Two places along coincident images.
     AlongImage,
-    /// [`Skew`]: two lines in space.
+    /// Two lines in space.
     Skew,
-    /// [`ImageSide`]: a vertex beside a carrier's image.
+    /// A vertex beside a carrier's image.
     ImageSide,
-    /// [`super::Fold`]: the angle at an edge.
+    /// The angle at an edge.
     Fold,
-    /// [`Combination`]: a plane's functional inside a carrier.
+    /// A plane's functional inside a carrier.
     Combination,
-    /// [`Turn`]: which way a closed ring runs.
+    /// Which way a closed ring runs.
     Turn,
-    /// [`super::ray`]: what a ray through a vertex meets.
+    /// What a ray through a vertex meets.
     Ray,
 }
 
