@@ -4,6 +4,7 @@
 //! upwards, world units or tangents. A pen wants long strokes on a sheet of
 //! paper. Between the two lie five steps, one file each:
 //!
+//! 0. `cropping`: a perspective picture ends at its field of view.
 //! 1. `layering`: every piece goes into a layer, by visibility, class or
 //!    object; pieces that the style leaves out go nowhere.
 //! 2. `placement`: the box of what is drawn decides the scale, and its centre
@@ -20,6 +21,7 @@
 //! plotter units later, once, by the exporter.
 
 mod chaining;
+mod cropping;
 mod dashing;
 mod error;
 mod joints;

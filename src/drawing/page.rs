@@ -1,6 +1,7 @@
 //! The finished drawing: a page, its layers, their strokes.
 
 use super::chaining::chain;
+use super::cropping::crop;
 use super::dashing::dashed;
 use super::layering::{LayerPlan, plan};
 use super::merging::segments;
@@ -65,6 +66,7 @@ impl Drawing {
                 return Err(DrawingError::PenWidth(width));
             }
         }
+        let lines = &*crop(lines, options);
         let plans = plan(lines, options);
         let placement = Placement::new(lines, &plans, options)?;
         let layers =

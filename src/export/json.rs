@@ -7,7 +7,8 @@
 //! One line of text per line of the drawing, so that text tools can compare
 //! two drawings. Beyond what every reader needs, the file keeps what is lost
 //! otherwise: `objects`, all names in the order of the scene; `run`, which
-//! pieces are one straight line; and for oblique views `shear`.
+//! pieces are one straight line; for oblique views `shear`, and for
+//! perspective ones `half_height`, the tangent of half the field of view.
 
 use super::ExportError;
 use crate::run::{Counters, map_chunks};
@@ -98,6 +99,8 @@ pub(super) struct FrameText<'a> {
     pub(super) forward: [f64; 3],
     #[serde(default, skip_serializing_if = "is_zero")]
     pub(super) shear: [f64; 2],
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) half_height: Option<f64>,
 }
 
 /// A line as it stands in the file.
@@ -134,7 +137,15 @@ fn frame_text(frame: &Frame) -> Result<FrameText<'static>, ExportError> {
     }
     let [origin, right, up, forward] = axes.map(|axis| unsigned_zeros(axis.to_array()));
     let shear = unsigned_zeros(frame.shear.to_array());
-    Ok(FrameText { kind: kind.into(), origin, right, up, forward, shear })
+    Ok(FrameText {
+        kind: kind.into(),
+        origin,
+        right,
+        up,
+        forward,
+        shear,
+        half_height: frame.half_height,
+    })
 }
 
 impl<'a> LineText<'a> {

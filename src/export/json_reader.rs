@@ -103,6 +103,7 @@ fn read_frame(text: &FrameText) -> Result<Frame, ExportError> {
         up: DVec3::from_array(text.up),
         forward: DVec3::from_array(text.forward),
         shear: DVec2::from_array(text.shear),
+        half_height: text.half_height,
     })
 }
 

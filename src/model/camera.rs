@@ -67,8 +67,6 @@ pub struct View {
     pub near: Option<NearPlane>,
     /// The frame of the drawing.
     pub frame: Frame,
-    /// Tangent of half the vertical field of view (perspective only).
-    pub half_height: Option<f64>,
 }
 
 impl Camera {
@@ -85,7 +83,7 @@ impl Camera {
             Camera::Orthographic { forward, target, up } => {
                 let target = target.unwrap_or(centre);
                 let frame = frame(Projection::Orthographic, target, forward, up, DVec2::ZERO)?;
-                Ok(View { eye: Eye::Towards(-forward), near: None, frame, half_height: None })
+                Ok(View { eye: Eye::Towards(-forward), near: None, frame })
             }
             Camera::Perspective { eye, target, up, near, fov_y_degrees } => {
                 let forward = target.unwrap_or(centre) - eye;
@@ -100,8 +98,10 @@ impl Camera {
                 Ok(View {
                     eye: Eye::At(eye),
                     near: Some(NearPlane { forward, distance }),
-                    frame,
-                    half_height: Some((fov_y_degrees.to_radians() / 2.0).tan()),
+                    frame: Frame {
+                        half_height: Some((fov_y_degrees.to_radians() / 2.0).tan()),
+                        ..frame
+                    },
                 })
             }
         }
@@ -127,7 +127,15 @@ pub(super) fn frame(
     }
     let forward = unit(forward);
     let right = unit(forward.cross(unit(up)));
-    Ok(Frame { projection, origin, right, up: right.cross(forward), forward, shear })
+    Ok(Frame {
+        projection,
+        origin,
+        right,
+        up: right.cross(forward),
+        forward,
+        shear,
+        half_height: None,
+    })
 }
 
 /// The vector at length one, whatever its length was; exact for axes.

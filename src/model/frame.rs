@@ -28,6 +28,9 @@ pub struct Frame {
     /// Oblique projections: image displacement per unit of depth
     /// (`u` and `v` grow by this much per unit of depth); zero otherwise.
     pub shear: DVec2,
+    /// Perspective: tangent of half the vertical field of view. Drawings are
+    /// cut to it, lines are not.
+    pub half_height: Option<f64>,
 }
 
 impl Frame {

@@ -90,7 +90,7 @@ impl StandardView {
         let forward = if self.is_oblique() { DVec3::Y } else { -towards };
         let shear = DVec2::splat(self.recession);
         let frame = frame(Projection::Orthographic, target, forward, DVec3::from(self.up), shear)?;
-        Ok(View { eye: Eye::Towards(towards), near: None, frame, half_height: None })
+        Ok(View { eye: Eye::Towards(towards), near: None, frame })
     }
 }
 

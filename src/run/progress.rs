@@ -2,7 +2,7 @@
 
 use super::{Counters, StageTime};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Instant;
 
 /// Hears how far a stage is. Called from many threads.
@@ -25,10 +25,16 @@ impl Progress for Silent {
     fn end(&self) {}
 }
 
-/// The work was stopped from outside before it was done.
+/// The work was stopped before it was done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("cancelled before the work was done")]
-pub struct Cancelled;
+pub enum Cancelled {
+    /// Somebody asked for it.
+    #[error("cancelled before the work was done")]
+    Asked,
+    /// A limit of the run was reached.
+    #[error("stopped at {0} crossings, the limit of this run")]
+    TooManyCrossings(u64),
+}
 
 /// Bounds on what a run may use; `None` is no bound.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -42,8 +48,8 @@ pub struct Limits {
 pub struct Run<'a> {
     progress: &'a dyn Progress,
     cancel: Option<&'a AtomicBool>,
-    /// What the run may use.
-    pub limits: Limits,
+    limits: Limits,
+    crossings: AtomicU64,
     counters: Mutex<Counters>,
     times: Mutex<Vec<StageTime>>,
 }
@@ -61,6 +67,7 @@ impl<'a> Run<'a> {
             progress,
             cancel: None,
             limits: Limits::default(),
+            crossings: AtomicU64::new(0),
             counters: Mutex::default(),
             times: Mutex::default(),
         }
@@ -73,10 +80,30 @@ impl<'a> Run<'a> {
         self
     }
 
+    /// The same run with bounds on what it uses.
+    #[must_use]
+    pub fn with_limits(mut self, limits: Limits) -> Self {
+        self.limits = limits;
+        self
+    }
+
     /// Fails once the run has been cancelled. Stages ask between pieces of work.
     pub fn check(&self) -> Result<(), Cancelled> {
         match self.cancel {
-            Some(flag) if flag.load(Ordering::Relaxed) => Err(Cancelled),
+            Some(flag) if flag.load(Ordering::Relaxed) => Err(Cancelled::Asked),
+            _ => Ok(()),
+        }
+    }
+
+    /// Notes that `crossings` more are held in memory.
+    ///
+    /// # Errors
+    ///
+    /// If they are more than the limit allows.
+    pub fn hold(&self, crossings: u64) -> Result<(), Cancelled> {
+        let all = self.crossings.fetch_add(crossings, Ordering::Relaxed) + crossings;
+        match self.limits.crossings {
+            Some(limit) if limit < all => Err(Cancelled::TooManyCrossings(limit)),
             _ => Ok(()),
         }
     }
@@ -121,5 +148,22 @@ impl<'a> Run<'a> {
     /// The stages so far, in the order in which they ended.
     pub fn times(&self) -> Vec<StageTime> {
         self.times.lock().map(|times| times.clone()).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_stops_when_asked_and_at_its_limit() {
+        let flag = AtomicBool::new(false);
+        let limits = Limits { crossings: Some(5) };
+        let run = Run::new(&Silent).with_cancel(&flag).with_limits(limits);
+        assert_eq!(run.check(), Ok(()));
+        assert_eq!(run.hold(5), Ok(()));
+        assert_eq!(run.hold(1), Err(Cancelled::TooManyCrossings(5)));
+        flag.store(true, Ordering::Relaxed);
+        assert_eq!(run.check(), Err(Cancelled::Asked));
     }
 }

@@ -66,6 +66,9 @@ impl<'m> PreparedView<'m> {
                 Intersections::find::<P>(mesh, &points, &hierarchy, run)
             })
         });
+        if let Some(found) = &intersections {
+            run.hold((found.lines.len() + found.piercings.len()) as u64)?;
+        }
         if wanted && let Some(found) = &intersections {
             let all = 0..found.lines.len() as u32;
             features.lines.extend(all.map(|index| FeatureLine {

@@ -32,6 +32,7 @@ pub(crate) fn cube() -> VisibleLines {
             up: DVec3::Z,
             forward: DVec3::Y,
             shear: DVec2::new(0.4, 0.275),
+            half_height: None,
         },
         objects: vec!["cube & <box>".into(), "unused".into()],
         pieces,

@@ -112,6 +112,7 @@ proptest! {
                 up: DVec3::new(c, d, e),
                 forward: DVec3::new(d, e, a),
                 shear: DVec2::new(e, a),
+            half_height: None,
             },
             objects: vec![format!("1{name}"), format!("2{name}"), "\u{0}\"\\".into()],
             pieces,

@@ -28,8 +28,7 @@ pub(crate) struct CameraFlags {
     #[arg(long, value_name = "X,Y,Z", requires = "eye", allow_hyphen_values = true,
           value_parser = parse_vector)]
     target: Option<DVec3>,
-    /// Vertical field of view of pictures; a line drawing is fitted to its page whatever the angle
-    /// [default: 45]
+    /// Vertical field of view in degrees: the drawing ends there [default: 45]
     #[arg(long, value_name = "DEG", requires = "eye", value_parser = parse_angle)]
     fov: Option<f64>,
     /// What is up in the picture [default: 0,0,1; for top and bottom 0,1,0]

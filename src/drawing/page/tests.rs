@@ -20,6 +20,7 @@ fn lines(pieces: Vec<LinePiece>) -> VisibleLines {
             up: DVec3::Y,
             forward: DVec3::NEG_Z,
             shear: DVec2::ZERO,
+            half_height: None,
         },
         objects: vec!["cup".into(), "".into(), "cup".into()],
         pieces,

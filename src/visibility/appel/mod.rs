@@ -106,6 +106,7 @@ pub fn appel<P: Policy>(
                 walker.walk(&question.lines[line]);
                 answer.push_line(walker.pieces());
             }
+            run.hold(walker.events_held())?;
             run.advance(lines);
             Ok((answer, walker.counters()))
         });

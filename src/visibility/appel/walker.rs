@@ -101,6 +101,11 @@ impl<'q, P: Policy> Walker<'q, P> {
         self.pieces.iter().copied()
     }
 
+    /// Crossings and piercings met so far.
+    pub(super) fn events_held(&self) -> u64 {
+        self.crossings + self.piercings
+    }
+
     /// What was counted so far.
     pub(super) fn counters(&self) -> Counters {
         let mut counters = self.predicates.counters();
