@@ -127,7 +127,10 @@ fn assert_matched(mut left: Vec<Stretch>, expected: Vec<Stretch>, tolerance: f64
         let place = left.iter().position(|other| stretch.covers(other, tolerance * size));
         match place {
             Some(place) => drop(left.swap_remove(place)),
-            None => panic!("{what}: no longer {stretch:?}\n  but {left:#?}"),
+            None => {
+                left.retain(|other| stretch.is_like(other));
+                panic!("{what}: no longer {stretch:?}\n  but {left:?}");
+            }
         }
     }
     assert!(left.is_empty(), "{what}: new {left:?}");
@@ -189,6 +192,12 @@ fn image_scale(view: &View, scale: f64) -> f64 {
 #[test]
 fn scaling_by_powers_of_two() {
     scenes(8, &Kind::ALL, |_, soups, view, what| {
+        // The least float would be rounded away.
+        let tiny = |x: f64| x != 0.0 && x.abs() < 1e-200;
+        let mut points = soups.iter().flat_map(|soup| &soup.vertices);
+        if points.any(|point| point.to_array().into_iter().any(tiny)) {
+            return;
+        }
         let before = draw(&soups, &view);
         for exponent in [-40, 13, 200] {
             let scale = f64::powi(2.0, exponent);
@@ -324,6 +333,15 @@ fn rational_rotations() {
         if eye * 1024.0 != (eye * 1024.0).round() {
             return;
         }
+        // The near plane keeps 24 bits of its distance, not the same ones.
+        let cut = |point: &DVec3| {
+            view.near.is_some_and(|near| {
+                near.forward.dot(*point - eye) < 2.0 * near.distance * near.forward.length()
+            })
+        };
+        if soups.iter().flat_map(|soup| &soup.vertices).any(cut) {
+            return;
+        }
         let mut turned = map_view(&view, rotated, 1.0);
         // The near plane's distance counts in lengths, its normal does not.
         if let Some(near) = &mut turned.near {
@@ -334,9 +352,8 @@ fn rational_rotations() {
             *axis /= 7.0;
         }
         let after = draw(&map_points(&soups, rotated), &turned);
-        // The near plane keeps 24 bits of its distance.
         let before = draw(&soups, &view);
-        assert_same_up_to_ties(&after, &before, image_scale(&view, 7.0), 1e-6, what);
+        assert_same_up_to_ties(&after, &before, image_scale(&view, 7.0), 1e-9, what);
     });
 }
 
