@@ -125,11 +125,34 @@ mod stl {
     #[test]
     fn binary_that_begins_with_solid() {
         let facet = [0., 0., 0., 1., 0., 0., 0.1, -0.0, 3.];
-        let soup = only(import("noname", &binary(b"solid facet", &[facet, facet])));
+        let next = [1., 0., 0., 0., 0., 0., 7., 7., 7.];
+        let soup = only(import("noname", &binary(b"solid facet", &[facet, next])));
         let corner = [f64::from(0.1_f32), -0.0, 3.];
-        assert_eq!(points(&soup)[..3], [SQUARE[0], SQUARE[1], corner]);
+        assert_eq!(points(&soup), [SQUARE[0], SQUARE[1], corner, [7., 7., 7.]]);
         assert!(soup.vertices[2].y.is_sign_negative());
-        assert_eq!(soup.faces.as_triangles(), Some(&[0, 1, 2, 3, 4, 5][..]));
+        // Corners seen lately are one vertex, numbered where it stood first.
+        assert_eq!(soup.faces.as_triangles(), Some(&[0, 1, 2, 1, 0, 3][..]));
+        assert_eq!(soup.vertex_numbers, Some(vec![0, 1, 2, 5]));
+    }
+
+    #[test]
+    fn binary_of_many_facets_keeps_every_corner() {
+        // More vertices than are remembered, in parts that are joined.
+        let number = |i: usize| ((i * 7919) % 40_009) as f32;
+        let facets: Vec<[f32; 9]> = (0..70_000)
+            .map(|i| std::array::from_fn(|k| if k % 3 == 0 { number(i + k) } else { k as f32 }))
+            .collect();
+        let soup = only(import("a.stl", &binary(b"many", &facets)));
+        let corners = soup.faces.as_triangles().expect("nothing but triangles");
+        let numbers = soup.vertex_numbers.as_ref().expect("numbers of corners");
+        assert_eq!(corners.len(), 3 * facets.len());
+        assert!(soup.vertices.len() < corners.len());
+        for (at, &corner) in corners.iter().enumerate() {
+            let wanted = &facets[at / 3][at % 3 * 3..][..3];
+            let found = soup.vertices[corner as usize].to_array();
+            assert_eq!(found.map(|x| x as f32)[..], *wanted, "corner {at}");
+            assert!(numbers[corner as usize] <= at as u32);
+        }
     }
 
     #[test]

@@ -149,11 +149,17 @@ impl Features {
         options: &FeatureOptions,
         edge: u32,
     ) {
-        let sides = EdgeSides::of(mesh, facing, edge);
-        if sides.left != sides.right {
-            self.effective.push(EffectiveEdge { edge, gain: sides.right - sides.left });
+        let triangles = mesh.edges().triangles(edge).iter().copied();
+        let all = EdgeSides::of(mesh, facing, edge, triangles);
+        let faces = if mesh.has_polygons() {
+            EdgeSides::of(mesh, facing, edge, mesh.bordering(edge))
+        } else {
+            all
+        };
+        if all.left != all.right {
+            self.effective.push(EffectiveEdge { edge, gain: all.right - all.left });
         }
-        if let Some(class) = class_of(mesh, predicates, &sides, options, edge) {
+        if let Some(class) = class_of(mesh, predicates, [all, faces], options, edge) {
             self.lines.push(FeatureLine { origin: LineOrigin::Edge(edge), class });
         }
     }
@@ -168,22 +174,22 @@ impl Features {
     }
 }
 
-/// How many triangles at an edge lie on which side of it in the image.
-#[derive(Debug, Clone, Copy)]
+/// How many triangles lie on which side of an edge in the image.
+#[derive(Debug, Clone, Copy, Default)]
 struct EdgeSides {
     left: i32,
     right: i32,
-    /// All triangles, edge-on ones too.
+    /// All of them, edge-on ones too.
     all: i32,
 }
 
 impl EdgeSides {
     #[inline]
-    fn of(mesh: &Mesh, facing: &[Sign], edge: u32) -> Self {
+    fn of(mesh: &Mesh, facing: &[Sign], edge: u32, triangles: impl Iterator<Item = u32>) -> Self {
         let ends = mesh.edges().ends(edge);
-        let triangles = mesh.edges().triangles(edge);
-        let mut sides = EdgeSides { left: 0, right: 0, all: triangles.len() as i32 };
-        for &triangle in triangles {
+        let mut sides = EdgeSides::default();
+        for triangle in triangles {
+            sides.all += 1;
             // The third corner is left of an edge that the triangle runs
             // along if the triangle turns counter-clockwise.
             let turn = facing[triangle as usize];
@@ -204,27 +210,28 @@ impl EdgeSides {
     }
 }
 
-/// The first wanted class that an edge belongs to.
+/// The first wanted class that an edge belongs to. `all` are the sides of
+/// its triangles, `faces` those of the triangles whose faces end there: an
+/// edge along which a polygon happens to be cut is no edge of that polygon.
 #[inline]
 fn class_of<P: Policy>(
     mesh: &Mesh,
     predicates: &Predicates<'_, P>,
-    sides: &EdgeSides,
+    [all, faces]: [EdgeSides; 2],
     options: &FeatureOptions,
     edge: u32,
 ) -> Option<LineClass> {
     let wanted = |class| options.wants(class).then_some(class);
     let mesh_line = || wanted(LineClass::Mesh);
-    match sides.all {
+    match faces.all {
+        // The triangles of a polygon that is not flat may fold to a contour.
+        0 => wanted(LineClass::Contour).filter(|_| all.is_contour()),
         1 => wanted(LineClass::Boundary).or_else(mesh_line),
         2 => {
-            if sides.is_contour()
+            if faces.is_contour()
                 && let Some(class) = wanted(LineClass::Contour)
             {
                 return Some(class);
-            }
-            if mesh.is_inner(edge) {
-                return None;
             }
             if options.wants(LineClass::Crease) && is_crease(mesh, predicates, options, edge) {
                 return Some(LineClass::Crease);
@@ -235,8 +242,8 @@ fn class_of<P: Policy>(
     }
 }
 
-/// Whether the two triangles at an edge fold more than the threshold; no if
-/// there are not two.
+/// Whether the two faces that end at an edge fold more than the threshold;
+/// no if there are not two.
 #[inline]
 pub(super) fn is_crease<P: Policy>(
     mesh: &Mesh,
@@ -244,7 +251,8 @@ pub(super) fn is_crease<P: Policy>(
     options: &FeatureOptions,
     edge: u32,
 ) -> bool {
-    let &[first, second] = mesh.edges().triangles(edge) else {
+    let mut faces = mesh.bordering(edge);
+    let (Some(first), Some(second), None) = (faces.next(), faces.next(), faces.next()) else {
         return false;
     };
     let ends = mesh.edges().ends(edge);

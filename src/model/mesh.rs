@@ -217,11 +217,27 @@ impl Mesh {
         self.colors.get(face as usize).copied().flatten()
     }
 
+    /// Whether some face is more than one triangle.
+    pub(super) fn has_polygons(&self) -> bool {
+        self.polygonal
+    }
+
     /// Whether an edge is an inner edge of one polygon's triangulation.
     #[inline(always)]
     pub fn is_inner(&self, edge: u32) -> bool {
         self.polygonal
             && matches!(self.edges.triangles(edge), &[s, t] if self.face_of(s) == self.face_of(t))
+    }
+
+    /// The triangles at an edge whose faces end there: all but those of
+    /// polygons that are cut along the edge.
+    pub fn bordering(&self, edge: u32) -> impl Iterator<Item = u32> + '_ {
+        let triangles = self.edges.triangles(edge);
+        triangles.iter().copied().filter(move |&triangle| {
+            let face = self.face_of(triangle);
+            let twin = |&other: &u32| other != triangle && self.face_of(other) == face;
+            !(self.polygonal && triangles.iter().any(twin))
+        })
     }
 
     /// The number of a vertex in its file, counted from 0.

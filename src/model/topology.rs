@@ -95,15 +95,15 @@ impl Topology {
     ) {
         let triangles = mesh.edges().triangles(edge);
         self.odd_edges += triangles.len() % 2;
-        match *triangles {
-            [_] => self.boundary_edges += 1,
-            [first, second] => {
+        let mut faces = mesh.bordering(edge);
+        match (faces.next(), faces.next(), faces.next()) {
+            // A polygon is cut there: no edge of the model.
+            (None, ..) => {}
+            (Some(_), None, _) => self.boundary_edges += 1,
+            (Some(first), Some(second), None) => {
                 let ends = mesh.edges().ends(edge);
                 let same = mesh.runs_along(first, ends) == mesh.runs_along(second, ends);
                 self.inconsistent_edges += usize::from(same);
-                if mesh.is_inner(edge) {
-                    return;
-                }
                 if is_crease(mesh, predicates, options, edge) {
                     self.crease_edges += 1;
                 } else {
