@@ -140,7 +140,7 @@ mod stl {
         // More vertices than are remembered, in parts that are joined.
         let number = |i: usize| ((i * 7919) % 40_009) as f32;
         let facets: Vec<[f32; 9]> = (0..70_000)
-            .map(|i| std::array::from_fn(|k| if k % 3 == 0 { number(i + k) } else { k as f32 }))
+            .map(|i| std::array::from_fn(|k| if k % 3 == 0 { number(i / 2 + k) } else { k as f32 }))
             .collect();
         let soup = only(import("a.stl", &binary(b"many", &facets)));
         let corners = soup.faces.as_triangles().expect("nothing but triangles");
