@@ -31,3 +31,8 @@ pub mod spatial;
 pub mod verify;
 pub mod view;
 pub mod visibility;
+
+/// The examples of the README, run as tests.
+#[cfg(all(doctest, feature = "svg"))]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
