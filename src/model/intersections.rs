@@ -124,14 +124,22 @@ fn corner_signs<P: Policy>(
     triangle: [u32; 3],
     against: [u32; 3],
 ) -> [Sign; 3] {
-    triangle.map(|corner| {
+    let sign = |corner| {
         if against.contains(&corner) { Sign::Zero } else { predicates.plane(against, corner) }
-    })
+    };
+    [sign(triangle[0]), sign(triangle[1]), sign(triangle[2])]
 }
 
 /// Whether there are corners strictly on both sides.
+#[inline]
 fn straddles(signs: [Sign; 3]) -> bool {
     signs.contains(&Sign::Positive) && signs.contains(&Sign::Negative)
+}
+
+/// Whether the corners lie strictly on one side, but for `shared` common
+/// ones: then the triangles have nothing in common but those.
+fn is_aside(signs: [Sign; 3], shared: usize) -> bool {
+    !straddles(signs) && signs.iter().filter(|sign| sign.is_zero()).count() == shared
 }
 
 /// An end of the segment that a triangle shares with the plane of another.
@@ -212,15 +220,17 @@ impl<'p, P: Policy> Search<'p, P> {
             return;
         }
         self.tested += 1;
-        let [s, t] = pair.map(|triangle| self.mesh.triangles()[triangle as usize]);
+        let triangles = self.mesh.triangles();
+        let (s, t) = (triangles[pair[0] as usize], triangles[pair[1] as usize]);
         let signs_s = corner_signs(&self.predicates, s, t);
-        let zeros = signs_s.iter().filter(|sign| sign.is_zero()).count();
-        if !straddles(signs_s) && zeros == shared {
-            // Strictly on one side but for a common corner.
+        if is_aside(signs_s, shared) {
+            return;
+        }
+        let signs_t = corner_signs(&self.predicates, t, s);
+        if is_aside(signs_t, shared) {
             return;
         }
         let first = self.side(pair[0], pair[1], signs_s);
-        let signs_t = corner_signs(&self.predicates, t, s);
         let second = self.side(pair[1], pair[0], signs_t);
         match (first.straddles(), second.straddles()) {
             (true, true) => self.lines.extend(self.crossing(pair, &first, &second)),

@@ -33,25 +33,3 @@ pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync 
     #[cfg(not(feature = "parallel"))]
     target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
 }
-
-/// Stable sort.
-pub fn sort_by<T: Send>(
-    items: &mut [T],
-    order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync + Send,
-) {
-    #[cfg(feature = "parallel")]
-    items.par_sort_by(order);
-    #[cfg(not(feature = "parallel"))]
-    items.sort_by(order);
-}
-
-/// Unstable sort: `order` must be total for the result to be determined.
-pub fn sort_unstable_by<T: Send>(
-    items: &mut [T],
-    order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync + Send,
-) {
-    #[cfg(feature = "parallel")]
-    items.par_sort_unstable_by(order);
-    #[cfg(not(feature = "parallel"))]
-    items.sort_unstable_by(order);
-}

@@ -1,6 +1,6 @@
 //! A hierarchy of boxes over items sorted along a space-filling curve.
 //!
-//! Items are sorted by the Morton code of their box's middle; then every
+//! Items are sorted by the Morton cell of their box's middle; then every
 //! eight neighbours make a node, every eight nodes a node above, up to one
 //! root. There are no pointers: a node's children are eight consecutive
 //! places of the level below (a packed R-tree: Kamel and Faloutsos 1993).
@@ -9,7 +9,7 @@
 //! O(log n + answers) to ask.
 
 use super::Bounds;
-use crate::run::{map_chunks, map_indexed, sort_unstable_by};
+use crate::run::{map_chunks, map_indexed};
 
 /// Children of a node.
 const FANOUT: usize = 8;
@@ -27,11 +27,7 @@ impl Hierarchy {
     /// Sorts and groups the items with these boxes. Items with empty boxes
     /// are left out.
     pub fn new(boxes: &[Bounds]) -> Self {
-        let mut keys = map_indexed(boxes.len(), |i| (morton_code(&boxes[i]), i as u32));
-        keys.retain(|&(_, i)| !boxes[i as usize].is_empty());
-        sort_unstable_by(&mut keys, |a, b| a.cmp(b));
-        let items: Vec<u32> = keys.iter().map(|&(_, i)| i).collect();
-        drop(keys);
+        let items = along_curve(boxes);
         let mut levels = vec![map_indexed(items.len(), |i| boxes[items[i] as usize])];
         while let Some(below) = levels.last()
             && below.len() > 1
@@ -174,6 +170,35 @@ impl Hierarchy {
             }
         }
     }
+}
+
+/// The items with boxes, sorted by the cells of a space-filling curve.
+/// There are about as many cells as items, so sorting is counting; within a
+/// cell items keep their order.
+fn along_curve(boxes: &[Bounds]) -> Vec<u32> {
+    const OUT: u32 = u32::MAX;
+    let axis_bits = (boxes.len().max(1).ilog2() / 3 + 1).min(8);
+    let shift = 63 - 3 * axis_bits;
+    let cells = map_indexed(boxes.len(), |i| match boxes[i].is_empty() {
+        true => OUT,
+        false => (morton_code(&boxes[i]) >> shift) as u32,
+    });
+    let mut next = vec![0_u32; (1 << (3 * axis_bits)) + 1];
+    cells.iter().filter(|&&cell| cell != OUT).for_each(|&cell| next[cell as usize + 1] += 1);
+    let mut sum = 0;
+    for start in &mut next {
+        sum += *start;
+        *start = sum;
+    }
+    let mut items = vec![0; sum as usize];
+    for (item, &cell) in cells.iter().enumerate() {
+        if cell != OUT {
+            let slot = &mut next[cell as usize];
+            items[*slot as usize] = item as u32;
+            *slot += 1;
+        }
+    }
+    items
 }
 
 /// Spreads the lower 21 bits of `x` to every third bit.
