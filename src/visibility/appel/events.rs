@@ -59,14 +59,7 @@ impl<P: Policy> Walker<'_, P> {
             return None;
         }
         let cut = Cut::Silhouette(edge);
-        let first = self.predicates.value(cut, walk.carrier.ends[0]);
-        if first.sign.is_zero() {
-            return None;
-        }
-        let last = self.predicates.value(cut, walk.carrier.ends[1]);
-        if !first.sign.is_opposite(last.sign) {
-            return None;
-        }
+        let [first, last] = self.parted_by(walk, cut)?;
         let side = |vertex| self.predicates.image_side(walk.carrier, vertex);
         let sides = [side(a), side(b)];
         if sides[0] == sides[1] {
@@ -92,6 +85,17 @@ impl<P: Policy> Walker<'_, P> {
         };
         let change = Sides { left: met(Sign::Negative), right: met(Sign::Positive) };
         Some(Event { cut, values: [first, last], change })
+    }
+
+    /// The values of a cut at the two ends, if its plane parts them strictly.
+    #[inline(always)]
+    fn parted_by(&self, walk: &Walk, cut: Cut) -> Option<[Measured; 2]> {
+        let first = self.predicates.value(cut, walk.carrier.ends[0]);
+        if first.sign.is_zero() {
+            return None;
+        }
+        let last = self.predicates.value(cut, walk.carrier.ends[1]);
+        first.sign.is_opposite(last.sign).then_some([first, last])
     }
 
     /// Collects the triangles that the line pierces.
@@ -130,14 +134,7 @@ impl<P: Policy> Walker<'_, P> {
             return None;
         }
         let cut = Cut::Face(corners);
-        let first = self.predicates.value(cut, walk.carrier.ends[0]);
-        if first.sign.is_zero() {
-            return None;
-        }
-        let last = self.predicates.value(cut, walk.carrier.ends[1]);
-        if !first.sign.is_opposite(last.sign) {
-            return None;
-        }
+        let [first, last] = self.parted_by(walk, cut)?;
         let edges = [[a, b], [b, c], [c, a]];
         let pass = |edge| self.predicates.skew(walk.carrier, edge);
         let passes = [pass(edges[0]), pass(edges[1]), pass(edges[2])];
