@@ -15,7 +15,7 @@
 //! its own edges. Then the edge itself is the line, clipped to the triangle.
 //! Coplanar triangles make no line.
 
-use super::{Mesh, ViewCoordinates};
+use super::{Fans, Mesh, ViewCoordinates};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Piercing, Point, Points, Policy, Predicates};
 use crate::run::Run;
@@ -39,6 +39,9 @@ pub struct Intersections {
     pub lines: Vec<IntersectionLine>,
     /// Which edges pierce which triangles.
     pub piercings: EdgePiercings,
+    /// Vertices that lie on triangles of which they are no corner, sorted:
+    /// all of them where fans were known, not worked out where not.
+    pub touching: Vec<u32>,
 }
 
 /// The triangles that each edge pierces: its ends lie strictly on both
@@ -69,10 +72,17 @@ impl EdgePiercings {
 
 impl Intersections {
     /// Searches all pairs of triangles with overlapping boxes. `hierarchy`
-    /// holds boxes of the mesh's triangles. Expected O(n + pairs).
-    pub fn find<P: Policy>(mesh: &Mesh, points: &Points, hierarchy: &Hierarchy, run: &Run) -> Self {
+    /// holds boxes of the mesh's triangles; pairs at one of the `fans` need
+    /// no test. Expected O(n + pairs).
+    pub fn find<P: Policy>(
+        mesh: &Mesh,
+        points: &Points,
+        hierarchy: &Hierarchy,
+        fans: Option<&Fans>,
+        run: &Run,
+    ) -> Self {
         let parts = hierarchy.overlapping_pairs(
-            || Search::<P>::new(mesh, points),
+            || Search::<P>::new(mesh, points, fans),
             |search, s, t| search.add_pair([s.min(t), s.max(t)]),
         );
         let mut intersections = Intersections::default();
@@ -81,12 +91,15 @@ impl Intersections {
             run.merge(&part.predicates.counters());
             intersections.lines.extend(part.lines);
             intersections.piercings.pairs.extend(part.piercings);
+            intersections.touching.extend(part.touching);
             tested += part.tested;
         }
         intersections.lines.sort_unstable_by_key(|line| (line.triangles, line.carrier.ends));
         intersections.lines.dedup();
         intersections.piercings.pairs.sort_unstable();
         intersections.piercings.pairs.dedup();
+        intersections.touching.sort_unstable();
+        intersections.touching.dedup();
         run.count("triangle-pairs-tested", tested);
         run.count("intersection-segments", intersections.lines.len() as u64);
         run.count("edge-piercings", intersections.piercings.len() as u64);
@@ -98,8 +111,10 @@ impl Intersections {
 struct Search<'p, P: Policy> {
     mesh: &'p Mesh,
     predicates: Predicates<'p, P>,
+    fans: Option<&'p Fans>,
     lines: Vec<IntersectionLine>,
     piercings: Vec<[u32; 2]>,
+    touching: Vec<u32>,
     tested: u64,
 }
 
@@ -109,12 +124,6 @@ pub fn triangle_hierarchy(mesh: &Mesh, coordinates: &ViewCoordinates) -> Hierarc
     let mut boxes = vec![crate::spatial::Bounds::EMPTY; triangles.len()];
     crate::run::fill_indexed(&mut boxes, |i| coordinates.bounds(triangles[i]));
     Hierarchy::new(&boxes)
-}
-
-/// How many vertices two triangles have in common.
-fn shared_corners(mesh: &Mesh, [s, t]: [u32; 2]) -> usize {
-    let other = mesh.triangles()[t as usize];
-    mesh.triangles()[s as usize].iter().filter(|corner| other.contains(corner)).count()
 }
 
 /// The signs of the corners of `triangle` against the plane of `against`:
@@ -203,25 +212,36 @@ impl Side {
 }
 
 impl<'p, P: Policy> Search<'p, P> {
-    fn new(mesh: &'p Mesh, points: &'p Points) -> Self {
+    fn new(mesh: &'p Mesh, points: &'p Points, fans: Option<&'p Fans>) -> Self {
         Search {
             mesh,
             predicates: Predicates::new(points),
+            fans,
             lines: Vec::new(),
             piercings: Vec::new(),
+            touching: Vec::new(),
             tested: 0,
         }
     }
 
     /// Adds what two triangles with overlapping boxes make.
     fn add_pair(&mut self, pair: [u32; 2]) {
-        let shared = shared_corners(self.mesh, pair);
-        if shared >= 2 {
-            return;
-        }
-        self.tested += 1;
         let triangles = self.mesh.triangles();
         let (s, t) = (triangles[pair[0] as usize], triangles[pair[1] as usize]);
+        let mut shared = 0;
+        for corner in s {
+            if t.contains(&corner) {
+                // The triangles of a fan meet in what they share.
+                if self.fans.is_some_and(|fans| fans.is_fan(corner)) {
+                    return;
+                }
+                shared += 1;
+            }
+        }
+        if shared >= 2 {
+            return self.add_fold(s, t);
+        }
+        self.tested += 1;
         let signs_s = corner_signs(&self.predicates, s, t);
         if is_aside(signs_s, shared) {
             return;
@@ -230,6 +250,8 @@ impl<'p, P: Policy> Search<'p, P> {
         if is_aside(signs_t, shared) {
             return;
         }
+        self.add_touching(s, signs_s, t);
+        self.add_touching(t, signs_t, s);
         let first = self.side(pair[0], pair[1], signs_s);
         let second = self.side(pair[1], pair[0], signs_t);
         match (first.straddles(), second.straddles()) {
@@ -238,6 +260,40 @@ impl<'p, P: Policy> Search<'p, P> {
             // An edge of t inside s would make s straddle the plane of t,
             // so only edges of s are left to look at.
             (false, _) => self.add_edges_within(pair, signs_s),
+        }
+    }
+
+    /// Notes touching corners of two triangles with a common edge: there are
+    /// some only where one lies folded onto the other.
+    fn add_fold(&mut self, s: [u32; 3], t: [u32; 3]) {
+        if self.fans.is_some() {
+            let signs = corner_signs(&self.predicates, s, t);
+            if signs == [Sign::Zero; 3] {
+                self.add_touching(s, signs, t);
+                self.add_touching(t, signs, s);
+            }
+        }
+    }
+
+    /// Notes the corners of a triangle that lie on another one, of which
+    /// they are no corners, and which is not edge-on. `signs` are those of
+    /// the corners against the other's plane.
+    fn add_touching(&mut self, triangle: [u32; 3], signs: [Sign; 3], other: [u32; 3]) {
+        if self.fans.is_none() {
+            return;
+        }
+        let [a, b, c] = other;
+        for (corner, sign) in triangle.into_iter().zip(signs) {
+            if !sign.is_zero() || other.contains(&corner) {
+                continue;
+            }
+            let facing = self.predicates.side(a, b, c);
+            let outside = |[x, y]: [u32; 2]| {
+                facing.is_zero() || self.predicates.side(x, y, corner).is_opposite(facing)
+            };
+            if ![[a, b], [b, c], [c, a]].into_iter().any(outside) {
+                self.touching.push(corner);
+            }
         }
     }
 

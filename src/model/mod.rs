@@ -5,6 +5,7 @@
 mod adjacency;
 mod camera;
 mod faces;
+mod fans;
 mod features;
 mod frame;
 pub mod import;
@@ -21,6 +22,7 @@ mod weld;
 
 pub use adjacency::Edges;
 pub use camera::{Camera, CameraError, View};
+pub use fans::Fans;
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
 pub use intersections::{EdgePiercings, IntersectionLine, Intersections, triangle_hierarchy};

@@ -138,7 +138,7 @@ pub fn interpenetrations(mesh: &Mesh, run: &Run<'_>) -> Result<Vec<[u32; 2]>, Ca
     let points = Points::new(mesh.vertices(), view.eye, view.near);
     let coordinates = ViewCoordinates::new(&view.frame, mesh.vertices());
     let hierarchy = triangle_hierarchy(mesh, &coordinates);
-    let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, run);
+    let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, None, run);
     let faces = |[s, t]: [u32; 2]| {
         let [f, g] = [mesh.face_of(s), mesh.face_of(t)];
         [f.min(g), f.max(g)]
@@ -236,11 +236,8 @@ impl<'m> WorldBoxes<'m> {
 
     fn around(&self, vertices: &[u32]) -> Bounds {
         vertices.iter().fold(Bounds::EMPTY, |bounds, &vertex| {
-            let p = self.mesh.vertices()[vertex as usize].to_array();
-            bounds.union(&Bounds {
-                low: [0, 1, 2].map(|axis| self.rounding.down(axis, p[axis], 0.0)),
-                high: [0, 1, 2].map(|axis| self.rounding.up(axis, p[axis], 0.0)),
-            })
+            let point = self.mesh.vertices()[vertex as usize];
+            bounds.union(&self.rounding.around(point, point))
         })
     }
 }

@@ -122,6 +122,39 @@ impl ViewCoordinates {
         }
     }
 
+    /// The range of a vertex's place along an axis of the image that no
+    /// model is likely to be aligned with.
+    #[inline]
+    fn across(&self, vertex: u32) -> Option<[f64; 2]> {
+        /// A direction one radian from the horizontal.
+        const AXIS: DVec2 = DVec2::new(0.540_302_305_868_139_8, 0.841_470_984_807_896_5);
+        let (low, high) = self.interval(vertex)?;
+        let (low, high) = (low.truncate(), high.truncate());
+        // Three roundings, each relative to one of the products.
+        let slack = 4.0 * f64::EPSILON * low.abs().max(high.abs()).element_sum();
+        Some([low.dot(AXIS) - slack, high.dot(AXIS) + slack])
+    }
+
+    /// Which of three vertices lies between the other two in a sweep across
+    /// the image; nothing if rounded coordinates do not tell, or one of them
+    /// may lie behind the eye.
+    #[inline]
+    pub fn middle_across(&self, vertices: [u32; 3]) -> Option<u32> {
+        let [a, b, c] = vertices;
+        let [at_a, at_b, at_c] = [self.across(a)?, self.across(b)?, self.across(c)?];
+        let between = |low: [f64; 2], middle: [f64; 2], high: [f64; 2]| {
+            (low[1] < middle[0] && middle[1] < high[0])
+                || (high[1] < middle[0] && middle[1] < low[0])
+        };
+        if between(at_a, at_b, at_c) {
+            Some(b)
+        } else if between(at_b, at_a, at_c) {
+            Some(a)
+        } else {
+            between(at_a, at_c, at_b).then_some(c)
+        }
+    }
+
     /// Whether a vertex lies behind a perspective eye for certain.
     fn is_behind(&self, vertex: u32) -> bool {
         self.frame.projection == Projection::Perspective
@@ -132,27 +165,15 @@ impl ViewCoordinates {
     /// far as it lies in front of the eye. Rounded outward.
     #[inline]
     pub fn bounds<const N: usize>(&self, vertices: [u32; N]) -> Bounds {
-        let mut bounds = Bounds::EMPTY;
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for vertex in vertices {
-            let Some((low, high)) = self.interval(vertex) else {
+            let Some(own) = self.interval(vertex) else {
                 return self.bounds_across_eye(&vertices);
             };
-            let round = &self.rounding;
-            let one = Bounds {
-                low: [
-                    round.down(0, low.x, 0.0),
-                    round.down(1, low.y, 0.0),
-                    round.down(2, low.z, 0.0),
-                ],
-                high: [
-                    round.up(0, high.x, 0.0),
-                    round.up(1, high.y, 0.0),
-                    round.up(2, high.z, 0.0),
-                ],
-            };
-            bounds = bounds.union(&one);
+            low = low.min(own.0);
+            high = high.max(own.1);
         }
-        bounds
+        self.rounding.around(low, high)
     }
 
     /// The box of something that reaches the plane of the eye: its image

@@ -111,7 +111,8 @@ mod tests {
         };
         let mut one = |size: f32| {
             let low = [random(), random(), random()];
-            Bounds { low, high: low.map(|x| x + size * random()) }
+            let high = low.map(|x| x + size * random());
+            Bounds { low: low.into(), high: high.into() }
         };
         let mut boxes: Vec<Bounds> = (0..300).map(|_| one(0.1)).collect();
         boxes[17] = Bounds::ALL;

@@ -1,5 +1,9 @@
 //! Boxes in three dimensions with narrow floats, rounded outward.
+//!
+//! Most of the time spent in hierarchies goes into comparing boxes, so
+//! corners are vectors that are compared and joined in one instruction.
 
+use glam::{BVec3A, DVec3, Vec3A};
 use std::ops::Range;
 
 /// A box in view coordinates: u, v, depth. Empty where a low bound exceeds
@@ -7,63 +11,48 @@ use std::ops::Range;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Least coordinates.
-    pub low: [f32; 3],
+    pub low: Vec3A,
     /// Greatest coordinates.
-    pub high: [f32; 3],
+    pub high: Vec3A,
 }
 
 impl Bounds {
     /// Contains nothing.
-    pub const EMPTY: Bounds = Bounds { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+    pub const EMPTY: Bounds = Bounds { low: Vec3A::INFINITY, high: Vec3A::NEG_INFINITY };
 
     /// Contains everything.
-    pub const ALL: Bounds = Bounds { low: [f32::NEG_INFINITY; 3], high: [f32::INFINITY; 3] };
+    pub const ALL: Bounds = Bounds { low: Vec3A::NEG_INFINITY, high: Vec3A::INFINITY };
 
     /// The smallest box around both.
     #[inline(always)]
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.low, other.low);
-        let low = [a.min(x), b.min(y), c.min(z)];
-        let ([a, b, c], [x, y, z]) = (self.high, other.high);
-        Bounds { low, high: [a.max(x), b.max(y), c.max(z)] }
+        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// What lies in both.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
-        Bounds {
-            low: [0, 1, 2].map(|i| self.low[i].max(other.low[i])),
-            high: [0, 1, 2].map(|i| self.high[i].min(other.high[i])),
-        }
+        Bounds { low: self.low.max(other.low), high: self.high.min(other.high) }
     }
 
     /// Whether the closed boxes share a point.
     #[inline(always)]
     pub fn overlaps(&self, other: &Self) -> bool {
-        // All six are compared: cheaper than to branch on each.
-        (self.low[0] <= other.high[0])
-            & (other.low[0] <= self.high[0])
-            & (self.low[1] <= other.high[1])
-            & (other.low[1] <= self.high[1])
-            & (self.low[2] <= other.high[2])
-            & (other.low[2] <= self.high[2])
+        (self.low.cmple(other.high) & other.low.cmple(self.high)).all()
     }
 
     /// Whether the images overlap and something of this box may lie in
     /// front of something of `other`.
     #[inline(always)]
     pub fn may_hide(&self, other: &Self) -> bool {
-        (self.low[0] <= other.high[0])
-            & (other.low[0] <= self.high[0])
-            & (self.low[1] <= other.high[1])
-            & (other.low[1] <= self.high[1])
-            & (self.low[2] <= other.high[2])
+        let any_depth = BVec3A::new(false, false, true);
+        (self.low.cmple(other.high) & (other.low.cmple(self.high) | any_depth)).all()
     }
 
     /// Whether there is nothing in the box.
     pub fn is_empty(&self) -> bool {
-        (0..3).any(|i| self.low[i] > self.high[i])
+        self.low.cmpgt(self.high).any()
     }
 }
 
@@ -101,6 +90,17 @@ impl Rounding {
     pub fn up(&self, axis: usize, value: f64, slack: f64) -> f32 {
         let moved = (value + slack - self.centre[axis]) * self.scale[axis];
         ((moved + moved.abs() * 1e-12) as f32).next_up()
+    }
+
+    /// A box around everything from `low` to `high`.
+    #[inline(always)]
+    pub fn around(&self, low: DVec3, high: DVec3) -> Bounds {
+        let down = |axis: usize| self.down(axis, low[axis], 0.0);
+        let up = |axis: usize| self.up(axis, high[axis], 0.0);
+        Bounds {
+            low: Vec3A::new(down(0), down(1), down(2)),
+            high: Vec3A::new(up(0), up(1), up(2)),
+        }
     }
 
     /// `value` along `axis`, rounded to nearest.

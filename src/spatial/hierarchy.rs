@@ -275,8 +275,8 @@ mod tests {
             let extent = |x: i32| x as f32 / 8.0;
             list.into_iter()
                 .map(|(x, y, z, a, b, c)| Bounds {
-                    low: [x, y, z],
-                    high: [x + extent(a), y + extent(b), z + extent(c)],
+                    low: [x, y, z].into(),
+                    high: [x + extent(a), y + extent(b), z + extent(c)].into(),
                 })
                 .collect()
         })

@@ -125,8 +125,8 @@ fn in_front(question: &LineQuestion, [a, b]: [DVec3; 2]) -> Option<[DVec3; 2]> {
 fn image_box(low: DVec2, high: DVec2) -> Bounds {
     let (low, high) = (low.as_vec2(), high.as_vec2());
     Bounds {
-        low: [low.x.next_down(), low.y.next_down(), f32::NEG_INFINITY],
-        high: [high.x.next_up(), high.y.next_up(), f32::INFINITY],
+        low: [low.x.next_down(), low.y.next_down(), f32::NEG_INFINITY].into(),
+        high: [high.x.next_up(), high.y.next_up(), f32::INFINITY].into(),
     }
 }
 

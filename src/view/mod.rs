@@ -10,5 +10,5 @@ mod visible_lines;
 pub use crate::model::{Frame, LineClass, Projection};
 pub use exact_lines::{ExactLines, ExactPiece};
 pub use prepare::PreparedView;
-pub use question::LineQuestion;
+pub use question::{Contacts, LineQuestion};
 pub use visible_lines::{LinePiece, LineSource, VisibleLines};

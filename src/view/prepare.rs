@@ -1,11 +1,11 @@
 //! From a mesh and a camera to a question: everything that all line methods
 //! need and none should compute twice.
 
-use super::LineQuestion;
+use super::{Contacts, LineQuestion};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
 use crate::model::{
-    FeatureLine, FeatureOptions, Features, Intersections, LineClass, LineOrigin, Mesh, View,
+    Fans, FeatureLine, FeatureOptions, Features, Intersections, LineClass, LineOrigin, Mesh, View,
     ViewCoordinates, facing, triangle_hierarchy,
 };
 use crate::run::{Cancelled, Run};
@@ -23,7 +23,7 @@ pub struct PreparedView<'m> {
     coordinates: ViewCoordinates,
     facing: Vec<Sign>,
     features: Features,
-    intersections: Option<Intersections>,
+    intersections: Option<(Fans, Intersections)>,
     hierarchy: Hierarchy,
 }
 
@@ -62,14 +62,18 @@ impl<'m> PreparedView<'m> {
         let many = features.lines.len() > mesh.edges().len() / MANY_LINES;
         let wanted = options.wants(LineClass::Intersection);
         let intersections = (wanted || many).then(|| {
-            run.stage("intersections", triangles, || {
-                Intersections::find::<P>(mesh, &points, &hierarchy, run)
-            })
+            let fans = run.stage("fans", triangles, || {
+                Fans::find(mesh, &coordinates, &facing, &features.effective)
+            });
+            let found = run.stage("intersections", triangles, || {
+                Intersections::find::<P>(mesh, &points, &hierarchy, Some(&fans), run)
+            });
+            (fans, found)
         });
-        if let Some(found) = &intersections {
+        if let Some((_, found)) = &intersections {
             run.hold((found.lines.len() + found.piercings.len()) as u64)?;
         }
-        if wanted && let Some(found) = &intersections {
+        if wanted && let Some((_, found)) = &intersections {
             let all = 0..found.lines.len() as u32;
             features.lines.extend(all.map(|index| FeatureLine {
                 origin: LineOrigin::Intersection(index),
@@ -99,8 +103,12 @@ impl<'m> PreparedView<'m> {
             facing: &self.facing,
             lines: &self.features.lines,
             effective: &self.features.effective,
-            intersections: self.intersections.as_ref().map_or(&[], |found| &found.lines),
-            piercings: self.intersections.as_ref().map(|found| &found.piercings),
+            intersections: self.intersections.as_ref().map_or(&[], |(_, found)| &found.lines),
+            piercings: self.intersections.as_ref().map(|(_, found)| &found.piercings),
+            contacts: self
+                .intersections
+                .as_ref()
+                .map(|(fans, found)| Contacts { fans, touching: &found.touching }),
             hierarchy: &self.hierarchy,
             hidden_wanted,
         }

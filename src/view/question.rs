@@ -3,7 +3,7 @@
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Points};
 use crate::model::{
-    EdgePiercings, EffectiveEdge, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh,
+    EdgePiercings, EffectiveEdge, Fans, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh,
     ViewCoordinates,
 };
 use crate::spatial::Hierarchy;
@@ -31,11 +31,23 @@ pub struct LineQuestion<'a> {
     pub intersections: &'a [IntersectionLine],
     /// Which edges pierce which triangles, where that was searched.
     pub piercings: Option<&'a EdgePiercings>,
+    /// How triangles lie around their vertices, where that was searched.
+    pub contacts: Option<Contacts<'a>>,
     /// View boxes of the triangles.
     pub hierarchy: &'a Hierarchy,
     /// Whether hidden pieces are wanted too. If not, a method may leave a
     /// line as soon as it is known to be hidden.
     pub hidden_wanted: bool,
+}
+
+/// What is known of the triangles at vertices: enough to carry counts from
+/// line to line.
+#[derive(Debug, Clone, Copy)]
+pub struct Contacts<'a> {
+    /// Vertices whose triangles lie around them in the image, once.
+    pub fans: &'a Fans,
+    /// Vertices that lie on other triangles than their own, sorted.
+    pub touching: &'a [u32],
 }
 
 impl LineQuestion<'_> {

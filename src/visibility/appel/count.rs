@@ -104,6 +104,14 @@ impl<P: Policy> Walker<'_, P> {
         }
     }
 
+    /// How many of the vertex's own triangles hide the beginning of a walk
+    /// from it, if it is no fan: from a fan none does.
+    pub(super) fn star_count(&self, walk: &Walk, star: &[u32]) -> Sides {
+        let mut sum = Sides::default();
+        star.iter().for_each(|&triangle| sum.add(self.covers_start(walk, triangle)));
+        sum
+    }
+
     /// Whether a triangle hides the beginning of the walk: 0 or 1 per side.
     #[inline]
     fn covers_start(&self, walk: &Walk, triangle: u32) -> Sides {

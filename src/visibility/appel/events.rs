@@ -41,25 +41,42 @@ impl<P: Policy> Walker<'_, P> {
     pub(super) fn find_crossings(&mut self, walk: &Walk) {
         let mut tested = 0;
         let mut events = std::mem::take(&mut self.events);
+        let mut met_ends = [false; 2];
         self.effective.candidates(&walk.probe, |index| {
             tested += 1;
-            events.extend(self.crossing(walk, index));
+            events.extend(self.crossing(walk, index, &mut met_ends));
         });
+        self.met_ends = met_ends;
         self.crossings_tested += tested;
         self.crossings += events.len() as u64;
         self.events = events;
     }
 
-    /// The event at an effective edge, if there is one.
+    /// The event at an effective edge, if there is one. Notes the ends of the
+    /// walk whose images may lie on that of the edge.
     #[inline]
-    fn crossing(&self, walk: &Walk, index: u32) -> Option<Event> {
+    fn crossing(&self, walk: &Walk, index: u32, met_ends: &mut [bool; 2]) -> Option<Event> {
         let effective = self.question.effective[index as usize];
         let edge @ [a, b] = self.question.mesh.edges().ends(effective.edge);
-        if walk.vertices.iter().flatten().any(|vertex| edge.contains(vertex)) {
+        let own = walk.vertices.map(|end| end.is_some_and(|vertex| edge.contains(&vertex)));
+        let cut = Cut::Silhouette(edge);
+        if own != [false; 2] {
+            // An edge from one end may still pass behind the other.
+            for end in 0..2 {
+                met_ends[end] |= !own[end] && self.sign_at(walk, end, cut).is_zero();
+            }
             return None;
         }
-        let cut = Cut::Silhouette(edge);
-        let [first, last] = self.parted_by(walk, cut)?;
+        let values = walk.carrier.ends.map(|end| self.predicates.value(cut, end));
+        let [first, last] = values;
+        if first.sign.is_zero() || last.sign.is_zero() {
+            met_ends[0] |= first.sign.is_zero();
+            met_ends[1] |= last.sign.is_zero();
+            return None;
+        }
+        if first.sign == last.sign {
+            return None;
+        }
         let side = |vertex| self.predicates.image_side(walk.carrier, vertex);
         let sides = [side(a), side(b)];
         if sides[0] == sides[1] {

@@ -19,21 +19,28 @@
 //!
 //! Sources: A. Appel, "The notion of quantitative invisibility and the
 //! machine rendering of solids", 1967. R. Galimberti and U. Montanari, "An
-//! algorithm for hidden line elimination", 1969. The count afresh for every
-//! line, by exact predicates, replaces Appel's propagation across vertices.
+//! algorithm for hidden line elimination", 1969.
+//!
+//! Where all that is needed to know is known, which is where many lines are
+//! drawn, the count is carried from line to line across vertices, as Appel
+//! does, and few lines are counted afresh ([`carry`], [`linked`]).
 //!
 //! Cost: O(1) expected hierarchy queries per line, plus k log k for k
 //! events on a line.
 
+mod carry;
 mod count;
 mod events;
+mod linked;
 mod sweep;
 mod walker;
 
 use crate::kernel::predicates::Policy;
-use crate::run::{Cancelled, Run, map_chunks};
+use crate::run::{Cancelled, Counters, Run, map_chunks};
 use crate::spatial::Crossings;
 use crate::view::{ExactLines, LineQuestion};
+use linked::linked_lines;
+use std::ops::Range;
 use walker::Walker;
 
 /// Deliberate mistakes, to prove that a check can fail. Never set outside
@@ -97,29 +104,41 @@ pub fn appel<P: Policy>(
     let count = question.lines.len();
     run.stage("appel", count as u64, || {
         let effective = effective_edges(question);
-        let parts = map_chunks(count, PART, |part| {
-            run.check()?;
-            let mut walker = Walker::<P>::new(question, &effective, options);
-            let mut answer = ExactLines::default();
-            let lines = part.len() as u64;
-            for line in part {
-                walker.walk(&question.lines[line]);
-                answer.push_line(walker.pieces());
-            }
-            run.hold(walker.events_held())?;
-            run.advance(lines);
-            Ok((answer, walker.counters()))
-        });
-        let mut answer = ExactLines::default();
-        let mut counters = crate::run::Counters::default();
-        for part in parts {
-            let (lines, counted) = part?;
-            answer.append(&lines);
-            counters.merge(&counted);
+        let walker = || Walker::<P>::new(question, &effective, options);
+        match question.contacts.filter(|_| question.piercings.is_some()) {
+            Some(contacts) => linked_lines(question, &contacts, walker, run),
+            None => gather(run, count, |part| {
+                run.check()?;
+                let mut walker = walker();
+                let mut answer = ExactLines::default();
+                let lines = part.len() as u64;
+                for line in part {
+                    walker.walk(&question.lines[line]);
+                    answer.push_line(walker.pieces());
+                }
+                run.hold(walker.events_held())?;
+                run.advance(lines);
+                Ok((answer, walker.counters()))
+            }),
         }
-        run.merge(&counters);
-        Ok(answer)
     })
+}
+
+/// Works on the lines in parts and joins the answers.
+fn gather(
+    run: &Run<'_>,
+    lines: usize,
+    work: impl Fn(Range<usize>) -> Result<(ExactLines, Counters), Cancelled> + Sync + Send,
+) -> Result<ExactLines, Cancelled> {
+    let mut answer = ExactLines::default();
+    let mut counters = Counters::default();
+    for part in map_chunks(lines, PART, work) {
+        let (lines, counted) = part?;
+        answer.append(&lines);
+        counters.merge(&counted);
+    }
+    run.merge(&counters);
+    Ok(answer)
 }
 
 /// The effective edges by their view boxes.

@@ -10,17 +10,22 @@ impl<P: Policy> Walker<'_, P> {
     /// Whether the line is hidden all along, whatever the order of events:
     /// even all losses together would leave a sheet on one side.
     pub(super) fn stays_hidden(&self, first: Sides) -> bool {
-        let least = self.events.iter().fold(first, |sum, event| Sides {
-            left: sum.left + event.change.left.min(0),
-            right: sum.right + event.change.right.min(0),
-        });
+        let mut least = first;
+        self.events.iter().for_each(|event| least.add(event.change.losses()));
         least.invisibility() > 0
     }
 
+    /// Emits the one piece of a line without events.
+    pub(super) fn whole_piece(&mut self, first: Sides) {
+        let invisibility = first.invisibility();
+        let hidden_wanted = self.question.hidden_wanted;
+        push(&mut self.pieces, hidden_wanted, Place::Start, Place::End, invisibility);
+    }
+
     /// Emits the pieces of a walk, up to the near plane if it leads there.
-    pub(super) fn sweep(&mut self, walk: &Walk, first: Sides, to_near: bool) {
+    pub(super) fn sweep(&mut self, walk: &Walk, first: Sides) {
         let mut events = std::mem::take(&mut self.events);
-        let end = self.end_of_walk(walk, to_near, &mut events);
+        let end = self.end_of_walk(walk, &mut events);
         events.retain(|event| event.change != Sides::default());
         let order = |a: &Event, b: &Event| {
             self.predicates.order(walk.carrier, (a.cut, &a.values), (b.cut, &b.values))
@@ -46,8 +51,8 @@ impl<P: Policy> Walker<'_, P> {
     }
 
     /// The place where the walk ends; drops the events beyond it.
-    fn end_of_walk(&self, walk: &Walk, to_near: bool, events: &mut Vec<Event>) -> Place {
-        if !to_near {
+    fn end_of_walk(&self, walk: &Walk, events: &mut Vec<Event>) -> Place {
+        if !walk.cut {
             return Place::End;
         }
         let near = walk.carrier.ends.map(|point| self.predicates.value(Cut::Near, point));

@@ -30,6 +30,11 @@ impl Sides {
         self.right += other.right;
     }
 
+    /// What is lost, side by side.
+    pub(super) fn losses(self) -> Self {
+        Sides { left: self.left.min(0), right: self.right.min(0) }
+    }
+
     /// The invisibility: the larger count.
     pub(super) fn invisibility(self) -> u32 {
         // Counts below zero occur only under a measuring policy.
@@ -50,6 +55,11 @@ pub(super) struct Walk {
     pub(super) probe: SegmentProbe,
     /// A box around the image and depth of the start.
     pub(super) start: Bounds,
+    /// Whether the line is cut by the near plane; then the walk starts at
+    /// the end in front of it.
+    pub(super) cut: bool,
+    /// Whether the walk goes from the line's end to its start.
+    pub(super) backwards: bool,
 }
 
 /// No triangle has this number.
@@ -62,6 +72,8 @@ pub(super) struct Walker<'q, P: Policy> {
     pub(super) predicates: Predicates<'q, P>,
     pub(super) fault: Option<Fault>,
     pub(super) events: Vec<Event>,
+    /// Whether an end of the walk was met in the image by an effective edge.
+    pub(super) met_ends: [bool; 2],
     pub(super) pieces: Vec<ExactPiece>,
     pub(super) crossings_tested: u64,
     pub(super) crossings: u64,
@@ -85,6 +97,7 @@ impl<'q, P: Policy> Walker<'q, P> {
             predicates: Predicates::new(question.points),
             fault: options.fault,
             events: Vec::new(),
+            met_ends: [false; 2],
             pieces: Vec::new(),
             crossings_tested: 0,
             crossings: 0,
@@ -118,46 +131,57 @@ impl<'q, P: Policy> Walker<'q, P> {
         counters
     }
 
-    /// Finds the pieces of one line.
+    /// Finds the pieces of one line, counting afresh at its start.
     pub(super) fn walk(&mut self, line: &FeatureLine) {
         self.pieces.clear();
-        self.events.clear();
-        let Some(mut walk) = self.begin(line) else {
-            return;
-        };
-        let near = if self.question.points.has_near_plane() {
-            let sign = |point| self.predicates.value_sign(Cut::Near, point);
-            match walk.carrier.ends.map(sign) {
-                // An end on the near plane is the end of the line.
-                [Sign::Positive, Sign::Positive | Sign::Zero] | [Sign::Zero, Sign::Positive] => {
-                    None
-                }
-                [Sign::Positive, Sign::Negative] => Some(false),
-                [Sign::Negative, Sign::Positive] => Some(true),
-                _ => return,
-            }
-        } else {
-            None
-        };
-        if near == Some(true) {
-            // Counting starts at an end in front of the near plane.
-            walk = self.turned(walk);
+        if let Some(walk) = self.begin(line) {
+            let first = self.first_count(&walk);
+            self.find_events(&walk);
+            self.finish(&walk, first);
         }
-        let first = self.first_count(&walk);
-        self.find_crossings(&walk);
-        self.find_piercings(&walk);
+    }
+
+    /// Collects all events of a walk.
+    pub(super) fn find_events(&mut self, walk: &Walk) {
+        self.events.clear();
+        self.met_ends = [false; 2];
+        self.find_crossings(walk);
+        self.find_piercings(walk);
+    }
+
+    /// Makes pieces of a walk's events and its first count.
+    pub(super) fn finish(&mut self, walk: &Walk, first: Sides) {
         if !self.question.hidden_wanted && self.stays_hidden(first) {
             self.left_early += 1;
             return;
         }
-        self.sweep(&walk, first, near.is_some());
-        if near == Some(true) {
+        self.sweep(walk, first);
+        if walk.backwards {
             self.turn_pieces();
         }
     }
 
+    /// The walk along a line, unless nothing of it has an image: from an end
+    /// in front of the near plane.
+    pub(super) fn begin(&self, line: &FeatureLine) -> Option<Walk> {
+        let walk = self.whole(line)?;
+        if !self.question.points.has_near_plane() {
+            return Some(walk);
+        }
+        let sign = |point| self.predicates.value_sign(Cut::Near, point);
+        match walk.carrier.ends.map(sign) {
+            // An end on the near plane is the end of the line.
+            [Sign::Positive, Sign::Positive | Sign::Zero] | [Sign::Zero, Sign::Positive] => {
+                Some(walk)
+            }
+            [Sign::Positive, Sign::Negative] => Some(Walk { cut: true, ..walk }),
+            [Sign::Negative, Sign::Positive] => Some(Walk { cut: true, ..self.turned(&walk) }),
+            _ => None,
+        }
+    }
+
     /// The geometry of a line, unless its image is a point.
-    fn begin(&self, line: &FeatureLine) -> Option<Walk> {
+    fn whole(&self, line: &FeatureLine) -> Option<Walk> {
         let question = self.question;
         let carrier = question.carrier(line);
         let vertices = carrier.ends.map(|end| match end {
@@ -192,6 +216,8 @@ impl<'q, P: Policy> Walker<'q, P> {
             own,
             start: self.start_box(vertices[0], &probe),
             probe,
+            cut: false,
+            backwards: false,
         };
         (self.has_image(&walk)).then_some(walk)
     }
@@ -215,13 +241,14 @@ impl<'q, P: Policy> Walker<'q, P> {
     }
 
     /// The same walk from the other end.
-    fn turned(&self, walk: Walk) -> Walk {
+    pub(super) fn turned(&self, walk: &Walk) -> Walk {
         let [first, last] = walk.vertices;
         Walk {
             carrier: walk.carrier.reversed(),
             vertices: [last, first],
             start: self.start_box(last, &walk.probe),
-            ..walk
+            backwards: !walk.backwards,
+            ..*walk
         }
     }
 

@@ -120,11 +120,7 @@ fn line_bounds(question: &LineQuestion, line: usize) -> Bounds {
         let [s, t] = question.intersections[index as usize]
             .triangles
             .map(|triangle| coordinates.bounds(question.mesh.triangles()[triangle as usize]));
-        let common = Bounds {
-            low: [0, 1, 2].map(|i| s.low[i].max(t.low[i])),
-            high: [0, 1, 2].map(|i| s.high[i].min(t.high[i])),
-        };
-        return common;
+        return s.intersection(&t);
     }
     match question.carrier(line).as_edge() {
         Some(vertices) => coordinates.bounds(vertices),

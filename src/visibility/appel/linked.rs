@@ -1,0 +1,238 @@
+//! All lines, with counts carried from one to the next.
+//!
+//! Three passes. First every line's events, whose sum says how the counts
+//! at its ends differ, whatever they are; then the counts at the vertices
+//! ([`super::carry`]); then the pieces. Most lines of a fine mesh have no
+//! events and join two fans: of these a single byte is kept in between.
+
+use super::carry::{Foreign, Link};
+use super::events::Event;
+use super::walker::Walker;
+use super::{PART, gather};
+use crate::kernel::predicates::Policy;
+use crate::model::{FeatureLine, LineOrigin};
+use crate::run::{Cancelled, Counters, Run, map_chunks};
+use crate::view::{Contacts, ExactLines, LineQuestion};
+use std::ops::Range;
+
+/// What the first pass keeps of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Nothing of the line has an image.
+    Imageless,
+    /// The line carries no count and is walked afresh.
+    Alone,
+    /// An edge between two fans, without events.
+    Plain,
+    /// A link with what belongs to it.
+    Listed,
+}
+
+/// What the first pass finds for one part of the lines.
+#[derive(Debug, Default)]
+struct Part {
+    /// Of each line.
+    kinds: Vec<Kind>,
+    /// Of the listed lines.
+    links: Vec<Link>,
+    /// End of each listed line's events in `events`, as far as kept.
+    ends: Vec<u32>,
+    /// At most about one event per line is kept; others are found again.
+    events: Vec<Event>,
+}
+
+/// A link's events between the passes.
+enum Kept<'p> {
+    /// These.
+    All(&'p [Event]),
+    /// They have to be found again.
+    None,
+}
+
+impl Part {
+    fn list(&mut self, link: Link, events: &[Event]) {
+        self.kinds.push(Kind::Listed);
+        self.links.push(link);
+        if self.ends.len() + 1 == self.links.len() && self.events.len() + events.len() <= PART {
+            self.events.extend_from_slice(events);
+            self.ends.push(self.events.len() as u32);
+        }
+    }
+
+    fn kept(&self, listed: usize) -> Kept<'_> {
+        let Some(&end) = self.ends.get(listed) else {
+            return Kept::None;
+        };
+        let start = if listed == 0 { 0 } else { self.ends[listed - 1] };
+        Kept::All(&self.events[start as usize..end as usize])
+    }
+
+    /// The links of the part's lines, with the lines' numbers from `first`
+    /// on.
+    fn links<'p>(
+        &'p self,
+        question: &'p LineQuestion<'_>,
+        first: usize,
+    ) -> impl Iterator<Item = (u32, Link)> + Clone + 'p {
+        let mut listed = self.links.iter();
+        self.kinds.iter().zip(first..).filter_map(move |(kind, line)| {
+            let link = match kind {
+                Kind::Imageless | Kind::Alone => None,
+                Kind::Plain => plain(question, &question.lines[line]),
+                Kind::Listed => listed.next().copied(),
+            };
+            link.map(|link| (line as u32, link))
+        })
+    }
+}
+
+/// The link of a plain line.
+fn plain(question: &LineQuestion<'_>, line: &FeatureLine) -> Option<Link> {
+    match line.origin {
+        LineOrigin::Edge(edge) => Some(Link::plain(question.mesh.edges().ends(edge))),
+        LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+    }
+}
+
+/// Finds the pieces of all lines.
+pub(super) fn linked_lines<'q, P: Policy + 'q>(
+    question: &LineQuestion<'_>,
+    contacts: &Contacts<'_>,
+    walker: impl Fn() -> Walker<'q, P> + Sync + Send,
+    run: &Run<'_>,
+) -> Result<ExactLines, Cancelled> {
+    let found = map_chunks(question.lines.len(), PART, |part| {
+        run.check()?;
+        let mut walker = walker();
+        let found = first_pass(&mut walker, contacts, &question.lines[part]);
+        run.hold(walker.events_held())?;
+        run.advance(found.kinds.len() as u64);
+        Ok((found, walker.counters()))
+    });
+    let mut counters = Counters::default();
+    let mut parts = Vec::with_capacity(found.len());
+    for part in found {
+        let (part, counted) = part?;
+        counters.merge(&counted);
+        parts.push(part);
+    }
+    let links = parts
+        .iter()
+        .enumerate()
+        .flat_map(|(number, part)| part.links(question, number * PART));
+    let vertices = question.mesh.vertices().len();
+    let (foreign, contradictions) = Foreign::gather(vertices, links, contacts, |roots| {
+        let counts = map_chunks(roots.len(), 16, |part| {
+            let mut walker = walker();
+            let count = |&[root, line]: &[u32; 2]| {
+                walker.foreign_count(root, &question.lines[line as usize], contacts)
+            };
+            let counts: Vec<i32> = roots[part].iter().map(count).collect();
+            (counts, walker.counters())
+        });
+        counts
+            .into_iter()
+            .flat_map(|(counts, counted)| {
+                counters.merge(&counted);
+                counts
+            })
+            .collect()
+    });
+    counters.add("carried-contradictions", contradictions);
+    run.merge(&counters);
+    gather(run, question.lines.len(), |lines| {
+        run.check()?;
+        let mut walker = walker();
+        let part = &parts[lines.start / PART];
+        let answer = last_pass(&mut walker, part, &foreign, question, lines);
+        Ok((answer, walker.counters()))
+    })
+}
+
+/// Finds the events of lines and what follows from them.
+fn first_pass<P: Policy>(
+    walker: &mut Walker<'_, P>,
+    contacts: &Contacts<'_>,
+    lines: &[FeatureLine],
+) -> Part {
+    let mut part = Part { kinds: Vec::with_capacity(lines.len()), ..Part::default() };
+    for line in lines {
+        let Some(walk) = walker.begin(line) else {
+            part.kinds.push(Kind::Imageless);
+            continue;
+        };
+        if !matches!(line.origin, LineOrigin::Edge(_)) || walk.cut {
+            part.kinds.push(Kind::Alone);
+            continue;
+        }
+        walker.find_events(&walk);
+        match walker.link(line, &walk, contacts) {
+            None => part.kinds.push(Kind::Alone),
+            Some(link) if walker.events.is_empty() && link.is_plain() => {
+                part.kinds.push(Kind::Plain);
+            }
+            Some(link) => part.list(link, &walker.events),
+        }
+    }
+    part
+}
+
+/// Makes the pieces of one part of the lines.
+fn last_pass<P: Policy>(
+    walker: &mut Walker<'_, P>,
+    part: &Part,
+    foreign: &Foreign,
+    question: &LineQuestion<'_>,
+    lines: Range<usize>,
+) -> ExactLines {
+    let mut answer = ExactLines::default();
+    let mut listed = 0;
+    for (kind, line) in part.kinds.iter().zip(&question.lines[lines]) {
+        walker.pieces.clear();
+        match kind {
+            Kind::Imageless => {}
+            Kind::Alone => walker.walk(line),
+            Kind::Plain => {
+                let first = plain(question, line).and_then(|link| foreign.first_count(&link));
+                match first {
+                    Some(first) => walker.whole_piece(first),
+                    // Both ends are border cases of other lines.
+                    None => walker.walk(line),
+                }
+            }
+            Kind::Listed => {
+                finish_link(walker, &part.links[listed], part.kept(listed), foreign, line);
+                listed += 1;
+            }
+        }
+        answer.push_line(walker.pieces());
+    }
+    answer
+}
+
+/// Makes the pieces of a listed line.
+fn finish_link<P: Policy>(
+    walker: &mut Walker<'_, P>,
+    link: &Link,
+    kept: Kept<'_>,
+    foreign: &Foreign,
+    line: &FeatureLine,
+) {
+    let known = foreign.first_count(link);
+    if !walker.question.hidden_wanted && known.is_some_and(|first| link.stays_hidden(first)) {
+        walker.left_early += 1;
+        return;
+    }
+    let Some(walk) = walker.begin(line) else {
+        return;
+    };
+    let first = known.unwrap_or_else(|| walker.first_count(&walk));
+    match kept {
+        Kept::All(events) => {
+            walker.events.clear();
+            walker.events.extend_from_slice(events);
+        }
+        Kept::None => walker.find_events(&walk),
+    }
+    walker.finish(&walk, first);
+}
