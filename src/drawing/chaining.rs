@@ -9,13 +9,17 @@
 //!
 //! Pairing first and walking afterwards makes the set of polylines a matter
 //! of geometry: the order of the segments decides only the order of the
-//! strokes, their sense, and where a closed one begins. Hashing finds the
-//! joints; everything but the sorting at crowded joints is linear.
+//! strokes, their sense, and where a closed one begins. Ends are dealt into
+//! buckets by the hash of their point; buckets are independent and run in
+//! parallel. Everything but the sorting at crowded joints is linear.
 
 use super::Strokes;
 use super::joints::Joints;
+use crate::run::{map_chunks, map_indexed};
 use glam::DVec2;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+use std::hash::BuildHasher;
+use std::ops::Range;
 
 /// No partner: the polyline ends here.
 pub(super) const SINGLE: u32 = u32::MAX;
@@ -65,41 +69,104 @@ fn first_end(partners: &[u32], segment: usize) -> u32 {
 /// For each end (2 i and 2 i + 1 are those of segment i) the end with which
 /// its polyline goes on.
 fn pair_ends(segments: &[[DVec2; 2]]) -> Vec<u32> {
-    let (joint_of, starts) = find_joints(segments);
-    // Counting sort of all ends by joint: `fill` runs ahead of `starts`.
-    let mut fill = starts.clone();
-    let mut ends = vec![0; joint_of.len()];
-    for (end, joint) in joint_of.iter().enumerate() {
-        let slot = &mut fill[*joint as usize];
-        ends[*slot as usize] = end as u32;
-        *slot += 1;
-    }
-    let mut partners = vec![SINGLE; joint_of.len()];
-    let mut joints = Joints::default();
-    for bounds in starts.windows(2) {
-        match &ends[bounds[0] as usize..bounds[1] as usize] {
-            [_] => {}
-            [one, other] => {
-                partners[*one as usize] = *other;
-                partners[*other as usize] = *one;
-            }
-            crowd => joints.pair(segments, crowd, &mut partners),
-        }
+    let count = 2 * segments.len();
+    let buckets = (count / BUCKET).next_power_of_two();
+    let parts = map_chunks(count, PART, |part| Dealt::new(segments, part, buckets));
+    let pairs = map_indexed(buckets, |bucket| {
+        let ends: Vec<End> = parts.iter().flat_map(|part| part.bucket(bucket)).copied().collect();
+        pair_bucket(segments, &ends)
+    });
+    let mut partners = vec![SINGLE; count];
+    for [one, other] in pairs.into_iter().flatten() {
+        partners[one as usize] = other;
+        partners[other as usize] = one;
     }
     partners
 }
 
-/// The joint of every end, and where each joint's ends start if the ends are
-/// sorted by joint. Joints are numbered as they first appear.
-fn find_joints(segments: &[[DVec2; 2]]) -> (Vec<u32>, Vec<u32>) {
+/// Ends per bucket, about: few enough to stay in the cache while their
+/// joints are found.
+const BUCKET: usize = 1 << 13;
+
+/// Ends that one task deals into buckets.
+const PART: usize = 1 << 16;
+
+/// An end and where it lies: [`key`] of its point.
+#[derive(Debug, Clone, Copy, Default)]
+struct End {
+    key: [u64; 2],
+    number: u32,
+}
+
+/// Some of the ends, dealt into buckets by the hashes of their points.
+struct Dealt {
+    ends: Vec<End>,
+    /// Where each bucket starts in `ends`, and where the last one stops.
+    starts: Vec<u32>,
+}
+
+impl Dealt {
+    fn new(segments: &[[DVec2; 2]], part: Range<usize>, buckets: usize) -> Self {
+        let bucket_of =
+            |key: [u64; 2]| (FxBuildHasher.hash_one(key) >> 32) as usize & (buckets - 1);
+        let ends = |number: usize| {
+            let number = number as u32;
+            End { key: key(point(segments, number)), number }
+        };
+        let mut starts = vec![0; buckets + 1];
+        part.clone().for_each(|end| starts[bucket_of(ends(end).key) + 1] += 1);
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start;
+            *start = sum;
+        }
+        let mut fill = starts.clone();
+        let mut dealt = vec![End::default(); part.len()];
+        for end in part.map(ends) {
+            let slot = &mut fill[bucket_of(end.key)];
+            dealt[*slot as usize] = end;
+            *slot += 1;
+        }
+        Dealt { ends: dealt, starts }
+    }
+
+    fn bucket(&self, bucket: usize) -> &[End] {
+        &self.ends[self.starts[bucket] as usize..self.starts[bucket + 1] as usize]
+    }
+}
+
+/// Pairs the ends of one bucket, which holds all ends of each of its joints.
+fn pair_bucket(segments: &[[DVec2; 2]], ends: &[End]) -> Vec<[u32; 2]> {
+    let (joint_of, starts) = find_joints(ends);
+    // Counting sort of the ends by joint: `fill` runs ahead of `starts`.
+    let mut fill = starts.clone();
+    let mut sorted = vec![0; ends.len()];
+    for (end, joint) in ends.iter().zip(joint_of) {
+        let slot = &mut fill[joint as usize];
+        sorted[*slot as usize] = end.number;
+        *slot += 1;
+    }
+    let mut pairs = Vec::with_capacity(ends.len() / 2);
+    let mut joints = Joints::default();
+    for bounds in starts.windows(2) {
+        match &sorted[bounds[0] as usize..bounds[1] as usize] {
+            [_] => {}
+            [one, other] => pairs.push([*one, *other]),
+            crowd => joints.pair(segments, crowd, &mut pairs),
+        }
+    }
+    pairs
+}
+
+/// The joint of each of some ends, and where each joint's ends start if the
+/// ends are sorted by joint. Joints are numbered as they first appear.
+fn find_joints(ends: &[End]) -> (Vec<u32>, Vec<u32>) {
     let mut known: FxHashMap<[u64; 2], u32> = FxHashMap::default();
-    known.reserve(segments.len());
-    let mut joint_of = Vec::with_capacity(2 * segments.len());
+    known.reserve(ends.len() / 2);
+    let mut joint_of = Vec::with_capacity(ends.len());
     let mut degrees: Vec<u32> = Vec::new();
-    for end in segments.iter().flatten() {
-        // Page coordinates are never -0, so equal points have equal bits.
-        let key = [end.x.to_bits(), end.y.to_bits()];
-        let joint = *known.entry(key).or_insert(degrees.len() as u32);
+    for end in ends {
+        let joint = *known.entry(end.key).or_insert(degrees.len() as u32);
         if joint as usize == degrees.len() {
             degrees.push(0);
         }
@@ -114,6 +181,11 @@ fn find_joints(segments: &[[DVec2; 2]]) -> (Vec<u32>, Vec<u32>) {
     }
     starts.push(start);
     (joint_of, starts)
+}
+
+/// Equal for equal points: page coordinates are never -0.
+fn key(point: DVec2) -> [u64; 2] {
+    [point.x.to_bits(), point.y.to_bits()]
 }
 
 /// Where an end lies.

@@ -35,15 +35,20 @@ struct Spoke {
 }
 
 impl Joints {
-    /// Pairs `ends`, which all lie in one point, and notes it in `partners`.
-    pub(super) fn pair(&mut self, segments: &[[DVec2; 2]], ends: &[u32], partners: &mut [u32]) {
+    /// Pairs `ends`, which all lie in one point, and appends them to `partners`.
+    pub(super) fn pair(
+        &mut self,
+        segments: &[[DVec2; 2]],
+        ends: &[u32],
+        partners: &mut Vec<[u32; 2]>,
+    ) {
         self.spokes.clear();
         self.spokes.extend(ends.iter().map(|end| Spoke::new(segments, *end)));
         self.spokes.sort_unstable_by(Spoke::compare);
         if ALL_PAIRS < ends.len() {
             let half = ends.len() / 2;
             for (one, other) in self.spokes[..half].iter().zip(&self.spokes[half..]) {
-                join(partners, one.end, other.end);
+                partners.push([one.end, other.end]);
             }
             return;
         }
@@ -60,15 +65,10 @@ impl Joints {
             let (i, j) = (*i as usize, *j as usize);
             if free[i] && free[j] {
                 (free[i], free[j]) = (false, false);
-                join(partners, self.spokes[i].end, self.spokes[j].end);
+                partners.push([self.spokes[i].end, self.spokes[j].end]);
             }
         }
     }
-}
-
-fn join(partners: &mut [u32], one: u32, other: u32) {
-    partners[one as usize] = other;
-    partners[other as usize] = one;
 }
 
 impl Spoke {

@@ -97,10 +97,7 @@ impl Rounding {
     pub fn around(&self, low: DVec3, high: DVec3) -> Bounds {
         let down = |axis: usize| self.down(axis, low[axis], 0.0);
         let up = |axis: usize| self.up(axis, high[axis], 0.0);
-        Bounds {
-            low: Vec3A::new(down(0), down(1), down(2)),
-            high: Vec3A::new(up(0), up(1), up(2)),
-        }
+        Bounds { low: Vec3A::new(down(0), down(1), down(2)), high: Vec3A::new(up(0), up(1), up(2)) }
     }
 
     /// `value` along `axis`, rounded to nearest.

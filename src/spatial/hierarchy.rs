@@ -161,10 +161,20 @@ impl Hierarchy {
         if level == 0 {
             return found(self.items[a], self.items[b]);
         }
-        let beside = self.levels[level][b];
+        // Only children that reach into the other node are compared.
+        let (own, beside) = (self.levels[level][a], self.levels[level][b]);
+        let below = &self.levels[level - 1];
+        let mut reaching = [0; FANOUT];
+        let mut count = 0;
+        for y in self.children(level, b) {
+            if below[y].overlaps(&own) {
+                reaching[count] = y;
+                count += 1;
+            }
+        }
         for x in self.children(level, a) {
-            if self.levels[level - 1][x].overlaps(&beside) {
-                for y in self.children(level, b) {
+            if count > 0 && below[x].overlaps(&beside) {
+                for &y in &reaching[..count] {
                     self.pairs_between(level - 1, x, y, found);
                 }
             }

@@ -116,10 +116,8 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
         counters.merge(&counted);
         parts.push(part);
     }
-    let links = parts
-        .iter()
-        .enumerate()
-        .flat_map(|(number, part)| part.links(question, number * PART));
+    let links =
+        parts.iter().enumerate().flat_map(|(number, part)| part.links(question, number * PART));
     let vertices = question.mesh.vertices().len();
     let (foreign, contradictions) = Foreign::gather(vertices, links, contacts, |roots| {
         let counts = map_chunks(roots.len(), 16, |part| {

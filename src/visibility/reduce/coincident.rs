@@ -6,11 +6,12 @@
 //! is drawn. Rounded coordinates only dismiss pairs that are clearly not
 //! collinear and order ends that are clearly apart, both with proven slack.
 
+use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
-use crate::run::{Run, fill_indexed, map_indexed};
+use crate::run::{Run, fill_indexed, map_chunks};
 use crate::spatial::{Bounds, Hierarchy, Rounding};
-use crate::view::LineQuestion;
+use crate::view::{LinePiece, LineQuestion};
 use glam::DVec2;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -21,30 +22,124 @@ pub(super) fn resolve_coincident<P: Policy>(
     question: &LineQuestion<'_>,
     pieces: &[RoundedPiece],
     run: &Run<'_>,
-) -> Vec<RoundedPiece> {
+) -> Vec<LinePiece> {
     let groups = groups_of::<P>(question, pieces, run);
-    let resolved = map_indexed(groups.len(), |i| {
+    let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
-        let group = &groups[i];
-        let result =
-            if group.iter().all(|&p| pieces[p as usize].line == pieces[group[0] as usize].line) {
-                follow_line(pieces, group)
-            } else {
-                ImageLine::new(question, &predicates, pieces, group).resolve()
-            };
-        (result, predicates.counters())
+        let mut found = Resolved::default();
+        for group in part {
+            found.add(question, &predicates, pieces, groups.get(group));
+        }
+        (found, predicates.counters())
     });
     let mut reduced = Vec::with_capacity(pieces.len());
     let mut runs = 0;
-    for (group, counters) in resolved {
-        let first = runs;
-        for piece in group {
-            runs = runs.max(first + piece.run + 1);
-            reduced.push(RoundedPiece { run: first + piece.run, ..piece });
-        }
+    for (found, counters) in resolved {
+        let renumbered = |piece: LinePiece| LinePiece { run: runs + piece.run, ..piece };
+        reduced.extend(found.pieces.into_iter().map(renumbered));
+        runs += found.runs;
         run.merge(&counters);
     }
     reduced
+}
+
+/// Groups that one task resolves.
+const PART: usize = 1024;
+
+/// What becomes of some groups.
+#[derive(Default)]
+struct Resolved {
+    pieces: Vec<LinePiece>,
+    /// Runs are numbered from 0 to this.
+    runs: u32,
+}
+
+impl Resolved {
+    fn add<P: Policy>(
+        &mut self,
+        question: &LineQuestion<'_>,
+        predicates: &Predicates<'_, P>,
+        pieces: &[RoundedPiece],
+        group: &[u32],
+    ) {
+        let piece = |index: u32| pieces[index as usize];
+        match group {
+            [] => {}
+            // Most pieces lie on no other.
+            [alone] => self.append(question, [RoundedPiece { run: 0, ..piece(*alone) }]),
+            [first, others @ ..]
+                if others.iter().all(|&other| piece(other).line == piece(*first).line) =>
+            {
+                self.append(question, follow_line(pieces, group));
+            }
+            _ => {
+                self.append(question, ImageLine::new(question, predicates, pieces, group).resolve())
+            }
+        }
+    }
+
+    /// Appends a group's pieces, whose runs are numbered from 0.
+    fn append(
+        &mut self,
+        question: &LineQuestion<'_>,
+        group: impl IntoIterator<Item = RoundedPiece>,
+    ) {
+        let first = self.runs;
+        for piece in group {
+            self.runs = self.runs.max(first + piece.run + 1);
+            let run = first + piece.run;
+            self.pieces.push(line_piece(question, &RoundedPiece { run, ..piece }));
+        }
+    }
+}
+
+/// Pieces that have to be looked at together.
+struct Groups {
+    members: Vec<u32>,
+    /// End of each group in `members`.
+    ends: Vec<u32>,
+}
+
+impl Groups {
+    fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    fn get(&self, group: usize) -> &[u32] {
+        let start = if group == 0 { 0 } else { self.ends[group - 1] };
+        &self.members[start as usize..self.ends[group] as usize]
+    }
+
+    /// The trees of `parents`, in the order of their roots, which are their
+    /// smallest members; members in ascending order.
+    fn of_trees(mut parents: Vec<u32>) -> Self {
+        let mut ends = Vec::with_capacity(parents.len());
+        let mut group_of = vec![0_u32; parents.len()];
+        for piece in 0..parents.len() {
+            let root = root(&mut parents, piece as u32) as usize;
+            if root == piece {
+                group_of[piece] = ends.len() as u32;
+                ends.push(0);
+            } else {
+                group_of[piece] = group_of[root];
+            }
+            ends[group_of[piece] as usize] += 1;
+        }
+        let mut next = Vec::with_capacity(ends.len());
+        let mut sum = 0;
+        for end in &mut ends {
+            next.push(sum);
+            sum += *end;
+            *end = sum;
+        }
+        let mut members = vec![0; parents.len()];
+        for (piece, group) in group_of.into_iter().enumerate() {
+            let slot = &mut next[group as usize];
+            members[*slot as usize] = piece as u32;
+            *slot += 1;
+        }
+        Groups { members, ends }
+    }
 }
 
 /// Pieces of one line only: nothing overlaps, gaps end runs.
@@ -68,7 +163,7 @@ fn groups_of<P: Policy>(
     question: &LineQuestion<'_>,
     pieces: &[RoundedPiece],
     run: &Run<'_>,
-) -> Vec<Vec<u32>> {
+) -> Groups {
     let hierarchy = image_hierarchy(pieces);
     let found = hierarchy.overlapping_pairs(
         || (Predicates::<P>::new(question.points), Vec::new()),
@@ -89,17 +184,7 @@ fn groups_of<P: Policy>(
             parents[a.max(b) as usize] = a.min(b);
         }
     }
-    let mut groups: Vec<Vec<u32>> = Vec::new();
-    let mut group_of_root = vec![u32::MAX; pieces.len()];
-    for piece in 0..pieces.len() as u32 {
-        let root = root(&mut parents, piece) as usize;
-        if group_of_root[root] == u32::MAX {
-            group_of_root[root] = groups.len() as u32;
-            groups.push(Vec::with_capacity(1));
-        }
-        groups[group_of_root[root] as usize].push(piece);
-    }
-    groups
+    Groups::of_trees(parents)
 }
 
 /// The root of a tree of parents, halving the path on the way.

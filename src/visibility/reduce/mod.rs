@@ -44,12 +44,11 @@ pub fn reduce<P: Policy>(
         gather(parts, run)
     });
     run.check()?;
-    let reduced = run.stage("coincident lines", pieces.len() as u64, || {
+    let pieces = run.stage("coincident lines", pieces.len() as u64, || {
         resolve_coincident::<P>(question, &pieces, run)
     });
     run.check()?;
     let objects = question.mesh.objects().iter().map(|object| object.name.clone()).collect();
-    let pieces = crate::run::map_indexed(reduced.len(), |i| line_piece(question, &reduced[i]));
     run.count("pieces", pieces.len() as u64);
     Ok(VisibleLines { frame: *question.frame, objects, pieces, counters: run.counters() })
 }
