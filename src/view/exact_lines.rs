@@ -30,11 +30,18 @@ impl ExactLines {
         self.ends.push(self.pieces.len() as u32);
     }
 
-    /// Appends all lines of `other`.
-    pub fn append(&mut self, other: &Self) {
-        let offset = self.pieces.len() as u32;
-        self.pieces.extend_from_slice(&other.pieces);
-        self.ends.extend(other.ends.iter().map(|end| end + offset));
+    /// The lines of all parts, one part after the other.
+    pub fn concat(parts: &[Self]) -> Self {
+        let mut all = ExactLines {
+            ends: Vec::with_capacity(parts.iter().map(Self::len).sum()),
+            pieces: Vec::with_capacity(parts.iter().map(Self::piece_count).sum()),
+        };
+        for part in parts {
+            let offset = all.pieces.len() as u32;
+            all.pieces.extend_from_slice(&part.pieces);
+            all.ends.extend(part.ends.iter().map(|end| end + offset));
+        }
+        all
     }
 
     /// The number of lines.

@@ -78,11 +78,8 @@ pub fn roberts<P: Policy>(
             Ok(lines)
         })
     });
-    let mut answer = ExactLines::default();
-    for part in parts {
-        answer.append(&part?);
-    }
-    Ok(answer)
+    let parts: Vec<ExactLines> = parts.into_iter().collect::<Result<_, Cancelled>>()?;
+    Ok(ExactLines::concat(&parts))
 }
 
 /// A cut of the line at hand, with its functional at both ends.

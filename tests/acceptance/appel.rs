@@ -26,7 +26,10 @@ fn every_class() -> FeatureOptions {
 }
 
 fn ask_appel(question: &LineQuestion<'_>) -> ExactLines {
-    appel::<Exact>(question, &AppelOptions::default(), &Run::default()).expect("not cancelled")
+    let run = Run::default();
+    let answer = appel::<Exact>(question, &AppelOptions::default(), &run).expect("not cancelled");
+    assert_eq!(run.counters().get("carried-contradictions"), 0);
+    answer
 }
 
 fn ask_roberts(question: &LineQuestion<'_>) -> ExactLines {
@@ -256,5 +259,56 @@ fn every_fault_is_noticed() {
             first_difference(&question, &found, &ask_roberts(&question)).is_some()
         });
         assert!(noticed, "{} changes nothing", fault.name());
+    }
+}
+
+/// A tube around a closed curve as quadrilaterals; `along` points on the
+/// curve, `around` it.
+fn tube(curve: impl Fn(f64) -> DVec3, radius: f64, along: usize, around: usize) -> Soup {
+    let tau = std::f64::consts::TAU;
+    let point = |i: usize, j: usize| {
+        let (s, t) = ((i % along) as f64 / along as f64, (j % around) as f64 / around as f64);
+        let tangent = (curve(s + 1e-4) - curve(s - 1e-4)).normalize();
+        let side = tangent.cross(dvec3(0.1, 0.2, 1.0)).normalize();
+        let (sin, cos) = (tau * t).sin_cos();
+        curve(s) + radius * (side * cos + side.cross(tangent) * sin)
+    };
+    let mut faces = Vec::new();
+    for i in 0..along {
+        for j in 0..around {
+            let [a, b, c, d] =
+                [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| point(i, j));
+            faces.extend([vec![a, b, c], vec![a, c, d]]);
+        }
+    }
+    polygons(&faces, &[])
+}
+
+/// Counts are carried along all edges of a connected surface, so one of its
+/// vertices is counted, however often it passes in front of itself.
+#[test]
+fn a_connected_surface_is_counted_once() {
+    let tau = std::f64::consts::TAU;
+    let ring = |s: f64| dvec3((tau * s).cos(), (tau * s).sin(), 0.0);
+    let trefoil = |s: f64| {
+        let (a, b) = (2.0 * tau * s, 3.0 * tau * s);
+        dvec3((2.0 + b.cos()) * a.cos(), (2.0 + b.cos()) * a.sin(), b.sin())
+    };
+    let far = |s: f64| ring(s) + dvec3(0.3, 0.5, 3.0);
+    for (soups, expected) in [
+        (vec![tube(ring, 0.3, 40, 17)], 1),
+        (vec![tube(trefoil, 0.35, 160, 11)], 1),
+        (vec![tube(ring, 0.3, 40, 17), tube(far, 0.2, 31, 13)], 2),
+    ] {
+        let mesh = Mesh::new(soups, None).expect("a mesh");
+        let run = Run::default();
+        let view = perspective(dvec3(3.1, 4.7, 9.3), dvec3(-3.1, -4.7, -9.3), 0.01);
+        let prepared =
+            PreparedView::new::<Exact>(&mesh, &view, &every_class(), &run).expect("a view");
+        let question = prepared.question(true);
+        let answer =
+            appel::<Exact>(&question, &AppelOptions::default(), &run).expect("not cancelled");
+        assert_eq!(run.counters().get("vertices-counted"), expected);
+        assert_eq!(first_difference(&question, &answer, &ask_roberts(&question)), None);
     }
 }

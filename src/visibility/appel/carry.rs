@@ -144,26 +144,35 @@ pub(super) struct Foreign {
     counts: Vec<Option<i32>>,
 }
 
+/// Which vertices are border cases. `links` may leave out plain ones.
+pub(super) fn border_cases<'l>(
+    vertices: usize,
+    links: impl Iterator<Item = &'l Link>,
+    contacts: &Contacts<'_>,
+) -> Vec<bool> {
+    let mut border = vec![false; vertices];
+    contacts.touching.iter().for_each(|&vertex| border[vertex as usize] = true);
+    for link in links {
+        for (vertex, met) in link.vertices.into_iter().zip(link.met_ends) {
+            border[vertex as usize] |= met;
+        }
+    }
+    border
+}
+
 impl Foreign {
-    /// Gathers the linked vertices and counts one of each set with `count`,
+    /// Gathers the linked vertices but for the `border` cases, and counts one of each set with `count`,
     /// given vertices, each with a line from it. `links` come with the
     /// numbers of their lines. Also returns how many links contradict the others: none, unless
     /// decisions are left to floats.
     pub(super) fn gather(
-        vertices: usize,
-        links: impl Iterator<Item = (u32, Link)> + Clone,
-        contacts: &Contacts<'_>,
+        border: &[bool],
+        links: impl Iterator<Item = (u32, Link)>,
         count: impl FnOnce(&[[u32; 2]]) -> Vec<i32>,
     ) -> (Self, u64) {
         /// No line has this number.
         const NONE: u32 = u32::MAX;
-        let mut border = vec![false; vertices];
-        contacts.touching.iter().for_each(|&vertex| border[vertex as usize] = true);
-        for (_, link) in links.clone() {
-            for (vertex, met) in link.vertices.into_iter().zip(link.met_ends) {
-                border[vertex as usize] |= met;
-            }
-        }
+        let vertices = border.len();
         let mut sets = Sets::new(vertices);
         let mut contradictions = 0;
         let mut line_at = vec![NONE; vertices];

@@ -5,10 +5,10 @@
 //! ([`super::carry`]); then the pieces. Most lines of a fine mesh have no
 //! events and join two fans: of these a single byte is kept in between.
 
-use super::carry::{Foreign, Link};
+use super::carry::{Foreign, Link, border_cases};
 use super::events::Event;
 use super::walker::Walker;
-use super::{PART, gather};
+use super::{gather, part_of};
 use crate::kernel::predicates::Policy;
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::{Cancelled, Counters, Run, map_chunks};
@@ -37,7 +37,8 @@ struct Part {
     links: Vec<Link>,
     /// End of each listed line's events in `events`, as far as kept.
     ends: Vec<u32>,
-    /// At most about one event per line is kept; others are found again.
+    /// At most one event per line, on average, is kept; others are found
+    /// again.
     events: Vec<Event>,
 }
 
@@ -50,10 +51,10 @@ enum Kept<'p> {
 }
 
 impl Part {
-    fn list(&mut self, link: Link, events: &[Event]) {
+    fn list(&mut self, link: Link, events: &[Event], most: usize) {
         self.kinds.push(Kind::Listed);
         self.links.push(link);
-        if self.ends.len() + 1 == self.links.len() && self.events.len() + events.len() <= PART {
+        if self.ends.len() + 1 == self.links.len() && self.events.len() + events.len() <= most {
             self.events.extend_from_slice(events);
             self.ends.push(self.events.len() as u32);
         }
@@ -101,7 +102,8 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
     walker: impl Fn() -> Walker<'q, P> + Sync + Send,
     run: &Run<'_>,
 ) -> Result<ExactLines, Cancelled> {
-    let found = map_chunks(question.lines.len(), PART, |part| {
+    let size = part_of(question.lines.len());
+    let found = map_chunks(question.lines.len(), size, |part| {
         run.check()?;
         let mut walker = walker();
         let found = first_pass(&mut walker, contacts, &question.lines[part]);
@@ -117,9 +119,11 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
         parts.push(part);
     }
     let links =
-        parts.iter().enumerate().flat_map(|(number, part)| part.links(question, number * PART));
+        parts.iter().enumerate().flat_map(|(number, part)| part.links(question, number * size));
     let vertices = question.mesh.vertices().len();
-    let (foreign, contradictions) = Foreign::gather(vertices, links, contacts, |roots| {
+    let listed = || parts.iter().flat_map(|part| &part.links);
+    let border = border_cases(vertices, listed(), contacts);
+    let (foreign, contradictions) = Foreign::gather(&border, links, |roots| {
         let counts = map_chunks(roots.len(), 16, |part| {
             let mut walker = walker();
             let count = |&[root, line]: &[u32; 2]| {
@@ -141,7 +145,7 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
     gather(run, question.lines.len(), |lines| {
         run.check()?;
         let mut walker = walker();
-        let part = &parts[lines.start / PART];
+        let part = &parts[lines.start / size];
         let answer = last_pass(&mut walker, part, &foreign, question, lines);
         Ok((answer, walker.counters()))
     })
@@ -169,7 +173,7 @@ fn first_pass<P: Policy>(
             Some(link) if walker.events.is_empty() && link.is_plain() => {
                 part.kinds.push(Kind::Plain);
             }
-            Some(link) => part.list(link, &walker.events),
+            Some(link) => part.list(link, &walker.events, lines.len()),
         }
     }
     part

@@ -88,8 +88,11 @@ pub struct AppelOptions {
     pub fault: Option<Fault>,
 }
 
-/// Lines that one task walks.
-const PART: usize = 128;
+/// How many of `lines` one task walks: so many that bookkeeping is little,
+/// so few that cores share the work evenly. The same on every machine.
+fn part_of(lines: usize) -> usize {
+    (lines / 1024).clamp(64, 1024)
+}
 
 /// Finds the invisibility of every piece of every line.
 ///
@@ -130,15 +133,15 @@ fn gather(
     lines: usize,
     work: impl Fn(Range<usize>) -> Result<(ExactLines, Counters), Cancelled> + Sync + Send,
 ) -> Result<ExactLines, Cancelled> {
-    let mut answer = ExactLines::default();
     let mut counters = Counters::default();
-    for part in map_chunks(lines, PART, work) {
+    let mut parts = Vec::new();
+    for part in map_chunks(lines, part_of(lines), work) {
         let (lines, counted) = part?;
-        answer.append(&lines);
+        parts.push(lines);
         counters.merge(&counted);
     }
     run.merge(&counters);
-    Ok(answer)
+    Ok(ExactLines::concat(&parts))
 }
 
 /// The effective edges by their view boxes.
