@@ -10,6 +10,7 @@
 mod box_tree;
 mod item_buffer;
 mod methods;
+mod picture;
 mod ray_cast;
 pub mod samples;
 mod scanline;
@@ -22,6 +23,7 @@ mod z_buffer;
 pub use box_tree::BoxTree;
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
+pub use picture::Show;
 pub use ray_cast::ray_cast;
 pub use samples::Samples;
 pub use scanline::{scanline, spanning};

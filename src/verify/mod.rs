@@ -13,16 +13,19 @@
 //!   rays. A sample beside the middle proves less, so middles near an edge
 //!   are left out and counted.
 //!
-//! The first three are exact: one difference is one defect.
+//! The first three are exact: one difference is one defect. [`cross_check`]
+//! holds the image-space methods against each other, exactly too.
 
 mod against_image;
 mod against_judge;
 mod cover;
+mod cross_check;
 mod places;
 mod report;
 #[cfg(test)]
 mod tests;
 
+pub use cross_check::{Comparison, CrossCheck, cross_check};
 pub use report::{Check, Difference, DifferenceSegment, Report, Tally};
 
 use crate::kernel::predicates::Policy;
