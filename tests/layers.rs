@@ -239,9 +239,10 @@ fn violation(used: &Use) -> Option<String> {
         }
         (Some(_), Some(_)) => {
             let inner = own.get(1).copied().unwrap_or_default();
+            // Readers of files are told by name what they may know.
             path.get(1).is_some_and(|name| {
                 part_is_above(own[0], inner, name)
-                    || part_is_above(own[0], inner, &part_of(own[0], name))
+                    || (inner != "import" && part_is_above(own[0], inner, &part_of(own[0], name)))
             })
         }
         _ => false,

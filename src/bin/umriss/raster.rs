@@ -8,6 +8,7 @@ use crate::outputs::print;
 use crate::sample_grid::{parse_size, samples};
 use crate::session::RunFlags;
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use umriss::export::{boxes_to_svg, pixels_to_png, to_png, write_file};
 use umriss::kernel::predicates::Exact;
@@ -35,9 +36,8 @@ pub(crate) struct Raster {
     /// Write the image here; a PNG file, or an SVG file for splits. - is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// How to find the nearest faces: ray-cast, z-buffer, scanline, spanning, warnock (windows cut
-    /// in the middle), warnock-vertex (beside corners)
-    #[arg(long, value_name = "M", default_value = "z-buffer", value_parser = parse_method)]
+    /// How to find the nearest faces
+    #[arg(long, value_name = "M", default_value = "z-buffer", value_parser = method_parser())]
     method: NamedMethod,
     /// Pixels of the image, from 3 to 8192 each way
     #[arg(long, value_name = "WxH", default_value = "512x512", value_parser = parse_size)]
@@ -118,11 +118,12 @@ impl Raster {
     }
 }
 
-fn parse_method(name: &str) -> Result<NamedMethod, String> {
-    let methods = methods::<Exact>();
-    methods.iter().find(|(other, _)| *other == name).copied().ok_or_else(|| {
-        let names: Vec<_> = methods.iter().map(|(name, _)| *name).collect();
-        format!("expected one of {}", names.join(", "))
+/// Takes what is in the table.
+fn method_parser() -> impl TypedValueParser<Value = NamedMethod> {
+    let names = methods::<Exact>().into_iter().map(|(name, _)| name);
+    PossibleValuesParser::new(names).try_map(|name| {
+        let found = methods::<Exact>().into_iter().find(|(other, _)| *other == name);
+        found.ok_or("expected a method of the table")
     })
 }
 
