@@ -10,15 +10,14 @@
 //!
 //! O(samples x (log n + hits)).
 
-use super::{BoxTree, ItemBuffer, Samples};
+use super::samples::{Sampled, Samples};
+use super::{BoxTree, ItemBuffer};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Eye, Points, Policy, Predicates};
+use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::{View, ViewCoordinates};
-use crate::run::{Cancelled, Run, map_chunks, map_indexed};
+use crate::run::{Cancelled, Run, map_chunks};
 use crate::spatial::Bounds;
 use crate::view::LineQuestion;
-use glam::DVec3;
-use std::cmp::Ordering;
 
 /// Samples per task.
 const PART: usize = 1024;
@@ -35,29 +34,25 @@ pub fn ray_cast<P: Policy>(
     samples: &Samples,
     run: &Run,
 ) -> Result<ItemBuffer, Cancelled> {
-    let mesh = question.mesh;
-    let first = mesh.vertices().len() as u32;
-    let (width, height) = (samples.width(), samples.height());
-    let count = width as usize * height as usize;
-    // Samples become vertices behind those of the mesh.
-    let mut vertices = mesh.vertices().to_vec();
+    let sampled = Sampled::new(view, question, samples);
+    let width = samples.width();
+    let count = width as usize * samples.height() as usize;
+    // Boxes of rays and of triangles must be rounded alike.
+    let mut vertices = question.mesh.vertices().to_vec();
     vertices.extend((0..count as u32).map(|i| samples.point(i % width, i / width)));
-    let points = Points::new(&vertices, view.eye, view.near);
     let coordinates = ViewCoordinates::new(&view.frame, &vertices);
-    let caster =
-        Caster { question, view, tree: triangle_tree(question, &coordinates), vertices: &vertices };
+    let caster = Caster { sampled: &sampled, tree: BoxTree::of_triangles(question, &coordinates) };
     let parts = run.stage("ray-cast", count as u64, || {
         map_chunks(count, PART, |part| {
             run.check()?;
-            let predicates = Predicates::<P>::new(&points);
+            let predicates = Predicates::<P>::new(sampled.points());
             let units = part.len() as u64;
             let hits: Vec<_> = part
                 .map(|i| {
-                    let sample = first + i as u32;
+                    let sample = sampled.vertex([i as u32 % width, i as u32 / width]);
                     let mut area = coordinates.bounds([sample]);
                     area.high[2] = f32::INFINITY;
-                    let hit = caster.nearest(&predicates, sample, &area);
-                    (hit, caster.depth(sample, hit))
+                    caster.nearest(&predicates, sample, &area)
                 })
                 .collect();
             run.merge(&predicates.counters());
@@ -70,31 +65,15 @@ pub fn ray_cast<P: Policy>(
     for part in parts {
         hits.extend(part?);
     }
-    Ok(ItemBuffer::new(width, hits))
+    Ok(sampled.buffer(hits))
 }
 
-/// The boxes of all triangles that can hide something.
-pub(super) fn triangle_tree(question: &LineQuestion, coordinates: &ViewCoordinates) -> BoxTree {
-    let triangles = question.mesh.triangles();
-    let boxes = map_indexed(triangles.len(), |i| {
-        if question.facing[i].is_zero() { Bounds::EMPTY } else { coordinates.bounds(triangles[i]) }
-    });
-    BoxTree::new(boxes)
-}
-
-struct Caster<'a, 'q> {
-    question: &'a LineQuestion<'q>,
-    view: &'a View,
+struct Caster<'a> {
+    sampled: &'a Sampled<'a>,
     tree: BoxTree,
-    vertices: &'a [DVec3],
 }
 
-impl Caster<'_, '_> {
-    fn triangle(&self, triangle: u32) -> ([u32; 3], Sign) {
-        let corners = self.question.mesh.triangles()[triangle as usize];
-        (corners, self.question.facing[triangle as usize])
-    }
-
+impl Caster<'_> {
     /// The triangle that the ray through a sample meets first.
     fn nearest<P: Policy>(
         &self,
@@ -104,16 +83,17 @@ impl Caster<'_, '_> {
     ) -> Option<u32> {
         let mut best: Option<u32> = None;
         self.tree.in_front(area, |triangle| {
-            let (corners, facing) = self.triangle(triangle);
+            let (corners, facing) = self.sampled.triangle(triangle);
             if !covers(predicates, corners, facing, sample)
                 || !predicates.meets_in_front(sample, corners, facing)
             {
                 return;
             }
             let wins = best.is_none_or(|best| {
-                let order = predicates.nearer(sample, (corners, facing), self.triangle(best));
+                let other = self.sampled.triangle(best);
+                let order = predicates.nearer(sample, (corners, facing), other);
                 order == Sign::Positive
-                    || (order.is_zero() && self.rank(triangle, best) == Ordering::Less)
+                    || (order.is_zero() && self.sampled.precedes(triangle, best))
             });
             if wins {
                 best = Some(triangle);
@@ -121,44 +101,6 @@ impl Caster<'_, '_> {
         });
         best
     }
-
-    /// Compares triangles by what they are, not by where the file has them.
-    fn rank(&self, s: u32, t: u32) -> Ordering {
-        let mesh = self.question.mesh;
-        let corners = |triangle: u32| {
-            let mut corners = mesh.triangles()[triangle as usize]
-                .map(|corner| mesh.vertices()[corner as usize].to_array());
-            corners.sort_unstable_by(compare);
-            corners
-        };
-        let name = |triangle| &mesh.objects()[mesh.object_of_triangle(triangle) as usize].name;
-        let (a, b) = (corners(s), corners(t));
-        let by_corner = a.iter().zip(&b).map(|(a, b)| compare(a, b));
-        by_corner
-            .fold(Ordering::Equal, Ordering::then)
-            .then_with(|| name(s).cmp(name(t)))
-            .then(s.cmp(&t))
-    }
-
-    /// Depth of the point that a sample sees, rounded.
-    fn depth(&self, sample: u32, hit: Option<u32>) -> f64 {
-        let Some(triangle) = hit else {
-            return f64::INFINITY;
-        };
-        let [a, b, c] = self.triangle(triangle).0.map(|v| self.vertices[v as usize]);
-        let x = self.vertices[sample as usize];
-        let normal = (b - a).cross(c - a);
-        let ray = match self.view.eye {
-            Eye::At(eye) => eye - x,
-            Eye::Towards(direction) => direction,
-        };
-        let along = normal.dot(a - x) / normal.dot(ray);
-        self.view.frame.depth(x + ray * along)
-    }
-}
-
-fn compare(a: &[f64; 3], b: &[f64; 3]) -> Ordering {
-    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
 }
 
 /// Whether the closed image of a triangle contains that of a vertex.

@@ -26,6 +26,7 @@
 
 mod carrier;
 mod collinear;
+mod estimate;
 mod eye;
 mod fold;
 mod formula;
@@ -35,6 +36,7 @@ mod ray;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point};
 pub use collinear::are_collinear;
+pub use estimate::Estimate;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
