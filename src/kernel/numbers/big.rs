@@ -3,6 +3,7 @@
 
 use super::{Ring, Sign};
 use dashu_int::IBig;
+use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer of any size (a thin shell around a library's).
@@ -13,6 +14,25 @@ impl BigInteger {
     /// The sign.
     pub fn sign(&self) -> Sign {
         self.0.cmp(&IBig::ZERO).into()
+    }
+
+    /// The greatest common divisor, not negative; one if both are zero.
+    pub(super) fn gcd(&self, other: &Self) -> Self {
+        use dashu_int::ops::Gcd;
+        if self.0 == IBig::ZERO && other.0 == IBig::ZERO {
+            return BigInteger(IBig::ONE);
+        }
+        BigInteger((&self.0).gcd(&other.0).into())
+    }
+
+    /// `self / other`, where that is whole; `other` must not be zero.
+    pub(super) fn quotient(&self, other: &Self) -> Self {
+        BigInteger(&self.0 / &other.0)
+    }
+
+    /// `2^exponent`.
+    pub(super) fn power_of_two(exponent: u32) -> Self {
+        BigInteger(IBig::ONE << exponent as usize)
     }
 
     /// `numerator / denominator` as the nearest float or one next to it.
@@ -68,6 +88,12 @@ impl Ring for BigInteger {
             IBig::from(mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0))
         };
         BigInteger(if value < 0.0 { -magnitude } else { magnitude })
+    }
+}
+
+impl fmt::Display for BigInteger {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
     }
 }
 
