@@ -12,6 +12,9 @@
 //! | PNG | the SVG | `to_png` | `png` |
 //! | JSON | [`VisibleLines`](crate::view::VisibleLines) | `to_json`, `read_drawing` | `json` |
 //!
+//! Polygons of the plane, [`Rounded`](crate::polygon::clipping::Rounded), are
+//! written and read as GeoJSON and as SVG paths: [`ShapeFormat`], [`ShapeFile`].
+//!
 //! [`OutputFormat`] is the table of formats by extension and by name, and
 //! [`write_file`] makes files appear whole or not at all.
 
@@ -27,6 +30,7 @@ mod json;
 mod json_reader;
 #[cfg(feature = "png")]
 mod png;
+mod shapes;
 #[cfg(feature = "svg")]
 mod svg;
 
@@ -40,5 +44,6 @@ pub use json::to_json;
 pub use json_reader::read_drawing;
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, to_png};
+pub use shapes::{ShapeFile, ShapeFormat, ShapePart};
 #[cfg(feature = "svg")]
 pub use svg::{SvgOptions, to_svg};

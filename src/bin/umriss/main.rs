@@ -13,6 +13,7 @@
 
 mod camera_file;
 mod camera_flags;
+mod clip;
 mod draw;
 mod failure;
 mod info;
@@ -46,6 +47,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    Clip(Box<clip::Clip>),
     Draw(Box<draw::Draw>),
     Info(Box<info::Info>),
     Verify(Box<verify::Verify>),
@@ -54,6 +56,7 @@ enum Command {
 fn main() -> ExitCode {
     let outcome = match Cli::try_parse() {
         Ok(cli) => match cli.command {
+            Command::Clip(clip) => clip.run(),
             Command::Draw(draw) => draw.run(),
             Command::Info(info) => info.run(),
             Command::Verify(verify) => verify.run(),

@@ -17,7 +17,9 @@
 
 use super::chart::Bits;
 use super::{Chart, Formula, ImageLine, ImagePoint, Points, Policy, Predicate, Predicates};
-use crate::kernel::numbers::{BigInteger, Filtered, Ring, Sign, cross, dot};
+use crate::kernel::numbers::{
+    BigInteger, Filtered, Ring, Sign, SmallInteger, cross, dot, scale_by_power_of_two,
+};
 use std::cmp::Ordering;
 
 /// A point of the image in floats, near enough to decide most questions.
@@ -173,11 +175,11 @@ impl<P: Policy> Predicates<'_, P> {
             return Approximation { place: [0.0; 2], error: f64::INFINITY };
         }
         let triple = chart.point::<Filtered>(points, point);
-        let weight = dot(chart.front(points), triple.clone());
+        let weight = dot(chart.front(points), triple);
         let origin = chart.origin(points);
         let (mut place, mut error) = ([0.0; 2], 0.0_f64);
         for (i, functional) in chart.coordinates::<Filtered>(points).into_iter().enumerate() {
-            let part = dot(functional, triple.clone());
+            let part = dot(functional, triple);
             let quotient = part.value() / weight.value();
             let least = weight.value() - weight.bound();
             // The quotient and the sum round once each.
@@ -196,22 +198,42 @@ impl<P: Policy> Predicates<'_, P> {
     /// denominator, exactly: x and y in the plane; else right and up in the
     /// chart. Times the power of two of [`Self::ratio_exponent`].
     pub fn ratio(&self, chart: &Chart, point: ImagePoint) -> ([BigInteger; 2], BigInteger) {
-        let points = self.points();
-        let triple = chart.point::<BigInteger>(points, point);
-        let weight = dot(chart.front(points), triple.clone());
-        let parts = chart.coordinates::<BigInteger>(points).map(|f| dot(f, triple.clone()));
-        let [right, up] = parts;
-        if !chart.is_flat() || points.is_empty() {
-            return ([right, up], weight);
-        }
-        let [x, y, _] = points.vertex::<BigInteger>(0);
-        ([right + x * weight.clone(), up + y * weight.clone()], weight)
+        ratio(chart, self.points(), point)
     }
 
     /// The exponent of the unit of [`Self::ratio`] in the plane.
     pub fn ratio_exponent(&self) -> i32 {
         self.points().integer_exponent()
     }
+
+    /// The coordinates of [`Self::ratio`] in floats, each off by less than
+    /// two units in its last place; in the plane, those of the input. (A
+    /// coordinate below the least normal float has its distance as unit.)
+    pub fn round(&self, chart: &Chart, point: ImagePoint) -> [f64; 2] {
+        let points = self.points();
+        let bits = chart.point_bits(point).dot(two_keys(chart)) + points.spread();
+        let quotients = if points.is_narrow() && bits <= 383 {
+            let (parts, weight) = ratio::<SmallInteger<6>>(chart, points, point);
+            parts.map(|part| part.to_f64() / weight.to_f64())
+        } else {
+            let (parts, weight) = ratio::<BigInteger>(chart, points, point);
+            parts.map(|part| BigInteger::ratio(&part, &weight))
+        };
+        let exponent = if chart.is_flat() { self.ratio_exponent() } else { 0 };
+        quotients.map(|quotient| scale_by_power_of_two(quotient, exponent.into()))
+    }
+}
+
+fn ratio<R: Ring>(chart: &Chart, points: &Points, point: ImagePoint) -> ([R; 2], R) {
+    let triple = chart.point::<R>(points, point);
+    let weight = dot(chart.front(points), triple.clone());
+    let parts = chart.coordinates::<R>(points).map(|f| dot(f, triple.clone()));
+    let [right, up] = parts;
+    if !chart.is_flat() || points.is_empty() {
+        return ([right, up], weight);
+    }
+    let [x, y, _] = points.vertex::<R>(0);
+    ([right + x * weight.clone(), up + y * weight.clone()], weight)
 }
 
 /// The bits of a functional for coordinates: a product of two directions.

@@ -36,6 +36,17 @@ impl FillRule {
         FillRule::Polygons,
     ];
 
+    /// The name in flags.
+    pub fn name(self) -> &'static str {
+        match self {
+            FillRule::EvenOdd => "evenodd",
+            FillRule::NonZero => "nonzero",
+            FillRule::Positive => "positive",
+            FillRule::Negative => "negative",
+            FillRule::Polygons => "polygons",
+        }
+    }
+
     fn accepts(self, winding: i32) -> bool {
         match self {
             FillRule::EvenOdd | FillRule::Polygons => winding & 1 == 1,

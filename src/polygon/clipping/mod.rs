@@ -37,12 +37,14 @@ mod prepare;
 mod queue;
 mod ring;
 mod rings;
+mod rounded;
 mod status;
 mod sweep;
 
 pub use fill::FillRule;
 pub use plane::{PlaneShape, ShapeError};
 pub use ring::{Corner, Polygon, Ring};
+pub use rounded::Rounded;
 
 use crate::kernel::predicates::{Chart, Policy, Predicates};
 use fill::States;
@@ -88,6 +90,16 @@ impl Operation {
     /// All operations.
     pub const ALL: [Operation; 4] =
         [Operation::Intersection, Operation::Union, Operation::Difference, Operation::Xor];
+
+    /// The name in flags.
+    pub fn name(self) -> &'static str {
+        match self {
+            Operation::Intersection => "intersection",
+            Operation::Union => "union",
+            Operation::Difference => "difference",
+            Operation::Xor => "xor",
+        }
+    }
 
     /// Whether a place that is inside of these operands is in the result.
     pub fn accepts(self, inside: &[bool]) -> bool {
@@ -200,6 +212,3 @@ impl<'a, 'p, P: Policy> Clipper<'a, 'p, P> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

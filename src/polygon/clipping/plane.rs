@@ -4,9 +4,9 @@
 //! `(0, 0, 1, 0)`. An operation numbers the vertices of all its operands
 //! anew; its result keeps those it names.
 
-use super::{Clipper, FillRule, Operand, Operation, Polygon};
+use super::{Clipper, Corner, FillRule, Operand, Operation, Polygon, Ring};
 use crate::kernel::numbers::Fraction;
-use crate::kernel::predicates::{Chart, Exact, Eye, ImagePoint, Points, Predicates};
+use crate::kernel::predicates::{Chart, Exact, Eye, Points, Predicates};
 use glam::{DVec2, DVec3};
 
 /// Why coordinates are no shape.
@@ -99,6 +99,11 @@ impl PlaneShape {
         self.rule
     }
 
+    /// Whether the polygons are as operations return them.
+    pub(super) fn is_result(&self) -> bool {
+        self.is_result
+    }
+
     /// The vertices, for predicates on corners.
     pub fn points(&self) -> Points {
         plane(&self.vertices)
@@ -111,7 +116,18 @@ impl PlaneShape {
     /// Where the shapes have more than 2^31 vertices.
     pub fn operation(operation: Operation, shapes: &[&PlaneShape]) -> Result<Self, ShapeError> {
         let label = |inside: &[bool]| u32::from(operation.accepts(inside));
-        let [result] = Self::overlay(shapes, &label, [1])?;
+        let [result] = Self::overlay(shapes, &label, [1], false)?;
+        Ok(result)
+    }
+
+    /// The same area, its rings as operations return them. Keeps vertices on
+    /// straight borders if asked.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::operation`].
+    pub fn normalized(&self, keep_collinear: bool) -> Result<Self, ShapeError> {
+        let [result] = Self::overlay(&[self], &|inside| inside[0].into(), [1], keep_collinear)?;
         Ok(result)
     }
 
@@ -126,13 +142,14 @@ impl PlaneShape {
             [true, false] => 2,
             _ => 0,
         };
-        Self::overlay(&[self, clip], &label, [1, 2])
+        Self::overlay(&[self, clip], &label, [1, 2], false)
     }
 
     fn overlay<const N: usize>(
         shapes: &[&PlaneShape],
         label: &dyn Fn(&[bool]) -> u32,
         labels: [u32; N],
+        keep_collinear: bool,
     ) -> Result<[Self; N], ShapeError> {
         let count = shapes.iter().map(|shape| shape.vertices.len()).sum();
         if count > MOST {
@@ -150,13 +167,14 @@ impl PlaneShape {
         let Some(clipper) = Clipper::new(&predicates) else {
             return Ok([(); N].map(|()| Self::default()));
         };
+        let clipper = clipper.with_collinear_vertices(keep_collinear);
         let mut areas = clipper.overlay(&operands, label);
         Ok(labels.map(|label| Self::compact(&vertices, areas.remove(&label).unwrap_or_default())))
     }
 
     /// A shape that has only the vertices its polygons name.
     fn compact(vertices: &[DVec3], mut polygons: Vec<Polygon>) -> Self {
-        let corners = |polygons: &mut [Polygon], change: &mut dyn FnMut(&mut super::Corner)| {
+        let corners = |polygons: &mut [Polygon], change: &mut dyn FnMut(&mut Corner)| {
             polygons.iter_mut().flat_map(|p| &mut p.rings).flatten().for_each(change);
         };
         let mut numbers = vec![0_u32; vertices.len()];
@@ -176,55 +194,63 @@ impl PlaneShape {
         PlaneShape { vertices: kept, polygons, rule: FillRule::Positive, is_result: true }
     }
 
-    /// The exact area of what is inside. O(n log^2 n) with numbers that grow:
-    /// for tests and reports.
+    /// The exact area of what is inside. Numbers grow with the rings: for
+    /// tests and reports.
     pub fn area(&self) -> Fraction {
-        let positive;
-        let shape = if self.is_result {
-            self
-        } else {
-            let Ok(result) = Self::operation(Operation::Union, &[self]) else {
-                return Fraction::zero();
-            };
-            positive = result;
-            &positive
-        };
-        shape.signed_area()
-    }
-
-    /// The sum of the areas of the rings, each with the sign of its turn.
-    fn signed_area(&self) -> Fraction {
-        let points = self.points();
-        let predicates = Predicates::<Exact>::new(&points);
-        let Some(chart) = Chart::new(&points) else {
-            return Fraction::zero();
-        };
-        let mut terms = Vec::new();
-        for ring in self.polygons.iter().flat_map(|polygon| &polygon.rings) {
-            let ratios: Vec<_> =
-                ring.iter().map(|corner| predicates.ratio(&chart, corner.point)).collect();
-            for (i, (a, v)) in ratios.iter().enumerate() {
-                let (b, w) = &ratios[(i + 1) % ratios.len()];
-                let cross = a[0].clone() * b[1].clone() - a[1].clone() * b[0].clone();
-                terms.extend(Fraction::new(cross, v.clone() * w.clone()));
-            }
+        if self.is_result {
+            return Fraction::sum(&self.areas());
         }
-        Fraction::sum(&terms).times_power_of_two(2 * predicates.ratio_exponent() - 1)
+        self.normalized(false).map_or_else(|_| Fraction::zero(), |shape| shape.area())
     }
 
-    /// The exact coordinates of a corner of one of the polygons.
-    pub fn position(&self, point: ImagePoint) -> [Fraction; 2] {
+    /// For each polygon the sum of the areas of its rings, each with the
+    /// sign of its turn: of results, their exact areas.
+    pub fn areas(&self) -> Vec<Fraction> {
         let points = self.points();
         let predicates = Predicates::<Exact>::new(&points);
-        let exponent = predicates.ratio_exponent();
         let Some(chart) = Chart::new(&points) else {
-            return [Fraction::zero(), Fraction::zero()];
+            return Vec::new();
         };
-        let (numerators, denominator) = predicates.ratio(&chart, point);
-        numerators.map(|x| {
-            let quotient = Fraction::new(x, denominator.clone());
-            quotient.unwrap_or_else(Fraction::zero).times_power_of_two(exponent)
-        })
+        let exponent = 2 * predicates.ratio_exponent() - 1;
+        let area = |polygon: &Polygon| {
+            let mut terms = Vec::new();
+            for ring in &polygon.rings {
+                let ratios: Vec<_> =
+                    ring.iter().map(|corner| predicates.ratio(&chart, corner.point)).collect();
+                for (i, (a, v)) in ratios.iter().enumerate() {
+                    let (b, w) = &ratios[(i + 1) % ratios.len()];
+                    let cross = a[0].clone() * b[1].clone() - a[1].clone() * b[0].clone();
+                    terms.extend(Fraction::new(cross, v.clone() * w.clone()));
+                }
+            }
+            Fraction::sum(&terms).times_power_of_two(exponent)
+        };
+        self.polygons.iter().map(area).collect()
+    }
+
+    /// The place of a vertex.
+    pub(super) fn vertex(&self, vertex: u32) -> DVec2 {
+        self.vertices[vertex as usize].truncate()
+    }
+
+    /// The exact coordinates of all corners, ring by ring.
+    pub fn positions(&self) -> Vec<Vec<Vec<[Fraction; 2]>>> {
+        let points = self.points();
+        let predicates = Predicates::<Exact>::new(&points);
+        let Some(chart) = Chart::new(&points) else {
+            return Vec::new();
+        };
+        let exponent = predicates.ratio_exponent();
+        let position = |corner: &Corner| {
+            let (numerators, denominator) = predicates.ratio(&chart, corner.point);
+            numerators.map(|x| {
+                let quotient = Fraction::new(x, denominator.clone());
+                quotient.unwrap_or_else(Fraction::zero).times_power_of_two(exponent)
+            })
+        };
+        let ring = |ring: &Ring| ring.iter().map(position).collect();
+        let polygon = |polygon: &Polygon| polygon.rings.iter().map(ring).collect();
+        self.polygons.iter().map(polygon).collect()
     }
 }
 
