@@ -3,10 +3,10 @@
 //! A ray goes down from the point, tilted so little that it meets no corner:
 //! a corner counts as left or right of it by [`Predicates::sweep`], which
 //! tells corners straight below from those straight above. An edge is met if
-//! its ends are not on one side of the ray and it lies below, which is the exact
-//! side of the point. (Shimrat
-//! 1962 for even-odd; Alexander 1971 for winding numbers.) For points and
-//! rings known by name, in the image of any eye. O(n).
+//! its ends are not on one side of the ray and it lies below, which is the
+//! exact side of the point. (Shimrat 1962 for even-odd; Alexander 1971 for
+//! winding numbers.) For points and rings known by name, in the image of any
+//! eye. O(n).
 
 use super::clipping::Corner;
 use crate::kernel::numbers::Sign;

@@ -10,5 +10,6 @@ mod naive;
 mod peers;
 mod random;
 mod rounding;
+mod tools;
 mod validity;
 mod views;

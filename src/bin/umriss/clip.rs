@@ -112,9 +112,7 @@ fn format_of(
         return given.ok_or_else(|| Failure::usage(format!("{prefix} - needs {flag}").trim()));
     }
     match (ShapeFormat::from_path(file), given) {
-        (Ok(format), None) | (Err(_), Some(format)) => Ok(format),
-        // What is said counts more than a name.
-        (Ok(_), Some(format)) => Ok(format),
+        (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
         (Err(error), None) => Err(Failure::usage(format!("{}: {error}", file.display()))),
     }
 }

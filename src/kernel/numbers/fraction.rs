@@ -66,6 +66,11 @@ impl Fraction {
         self.numerator.sign()
     }
 
+    /// One over it; none for zero.
+    pub fn inverse(self) -> Option<Self> {
+        Self::new(self.denominator, self.numerator)
+    }
+
     /// Without its sign.
     #[must_use]
     pub fn abs(self) -> Self {

@@ -106,6 +106,8 @@ pub(super) struct Sweep<'a, 'p, P: Policy> {
     pub(super) borders: Borders,
     arriving: Vec<u32>,
     leaving: Vec<u32>,
+    /// The borders of the pieces that arrive.
+    closing: Vec<u32>,
 }
 
 impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
@@ -134,6 +136,7 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
             borders,
             arriving: Vec::new(),
             leaving: Vec::new(),
+            closing: Vec::new(),
         }
     }
 
@@ -257,8 +260,8 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
 
         // Leaving borders are collected first, for they come first around
         // the point; arriving ones keep their numbers meanwhile.
-        let arriving_borders: Vec<u32> =
-            self.arriving.iter().map(|&slot| self.slots[slot as usize].border).collect();
+        self.closing.clear();
+        self.closing.extend(self.arriving.iter().map(|&slot| self.slots[slot as usize].border));
         let mut at = NO_BORDER;
         self.borders.begin();
         let mut last = below;
@@ -301,7 +304,7 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
             self.borders.join(face, top_face);
         }
         debug_assert!(self.leaving.is_empty() || state == self.top_state(last));
-        for &border in arriving_borders.iter().rev().filter(|&&border| border != NO_BORDER) {
+        for &border in self.closing.iter().rev().filter(|&&border| border != NO_BORDER) {
             if at == NO_BORDER {
                 at = self.borders.point(event.point);
             }
