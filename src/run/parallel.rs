@@ -41,3 +41,12 @@ pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync 
     }
     target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
 }
+
+/// Sorts by an order in which no two are equal.
+pub fn sort_by<T: Send>(list: &mut [T], order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync) {
+    #[cfg(feature = "parallel")]
+    if list.len() > LEAST {
+        return list.par_sort_unstable_by(order);
+    }
+    list.sort_unstable_by(order);
+}

@@ -5,6 +5,7 @@
 //! operation the exact area (as a rational number, or 50 digits), how many
 //! connected areas there are, and how many bounded ones around them.
 
+use super::rounding::perimeter;
 use super::validity::fault;
 use glam::{DVec2, dvec2};
 use serde_json::Value;
@@ -112,14 +113,9 @@ fn published_cases_have_their_exact_answers() {
                 wrong.push(format!("{id}: rounded: {fault}"));
             }
             let again = PlaneShape::new(&rounded.polygons, FillRule::Positive).unwrap();
-            let corners = rounded.polygons.iter().flatten().flatten();
-            let largest = corners.map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
-            let rings = rounded.polygons.iter().flatten();
-            let perimeter: f64 = rings
-                .flat_map(|ring| {
-                    (0..ring.len()).map(|i| ring[i].distance(ring[(i + 1) % ring.len()]))
-                })
-                .sum();
+            let places = result.positions().into_iter().flatten().flatten().flatten();
+            let largest = places.map(|place| place.to_f64().abs()).fold(0.0, f64::max);
+            let perimeter = perimeter(&result);
             let error = (again.area() - area).abs().to_f64();
             if error > 4.0 * perimeter * largest * f64::EPSILON / 2.0 {
                 wrong.push(format!("{id}: rounded: area off by {error}"));

@@ -41,6 +41,12 @@ impl BigInteger {
     /// The quotient is formed with 64 significant bits by integer division,
     /// so its error is far below one unit in the last place.
     pub fn ratio(numerator: &Self, denominator: &Self) -> f64 {
+        Self::scaled_ratio(numerator, denominator, 0)
+    }
+
+    /// `numerator / denominator * 2^exponent`, which may be a float where
+    /// the quotient is beyond their range.
+    pub(crate) fn scaled_ratio(numerator: &Self, denominator: &Self, exponent: i32) -> f64 {
         if numerator.0 == IBig::ZERO || denominator.0 == IBig::ZERO {
             return 0.0;
         }
@@ -51,7 +57,7 @@ impl BigInteger {
             &numerator.0 / (&denominator.0 << (-excess) as usize)
         };
         let rounded: f64 = quotient.to_f64().value();
-        scale_by_power_of_two(rounded, -excess)
+        scale_by_power_of_two(rounded, i64::from(exponent) - excess)
     }
 }
 

@@ -212,15 +212,15 @@ impl<P: Policy> Predicates<'_, P> {
     pub fn round(&self, chart: &Chart, point: ImagePoint) -> [f64; 2] {
         let points = self.points();
         let bits = chart.point_bits(point).dot(two_keys(chart)) + points.spread();
-        let quotients = if points.is_narrow() && bits <= 383 {
-            let (parts, weight) = ratio::<SmallInteger<6>>(chart, points, point);
-            parts.map(|part| part.to_f64() / weight.to_f64())
-        } else {
-            let (parts, weight) = ratio::<BigInteger>(chart, points, point);
-            parts.map(|part| BigInteger::ratio(&part, &weight))
-        };
         let exponent = if chart.is_flat() { self.ratio_exponent() } else { 0 };
-        quotients.map(|quotient| scale_by_power_of_two(quotient, exponent.into()))
+        if points.is_narrow() && bits <= 383 {
+            let (parts, weight) = ratio::<SmallInteger<6>>(chart, points, point);
+            let weight = weight.to_f64();
+            return parts
+                .map(|part| scale_by_power_of_two(part.to_f64() / weight, exponent.into()));
+        }
+        let (parts, weight) = ratio::<BigInteger>(chart, points, point);
+        parts.map(|part| BigInteger::scaled_ratio(&part, &weight, exponent))
     }
 }
 

@@ -4,6 +4,7 @@ use super::fill::{FillRule, States};
 use super::sweep::{Edge, Ends, compare_approximations};
 use super::{Corner, Operand};
 use crate::kernel::predicates::{Approximation, Chart, ImagePoint, Policy, Predicates};
+use crate::run::sort_by;
 use std::cmp::Ordering;
 
 /// All edges of all operands, by their left ends, and these ends.
@@ -109,7 +110,15 @@ fn sort_ends<P: Policy>(
             predicates.sweep(chart, corners[a.1 as usize], corners[b.1 as usize])
         })
     };
-    order.sort_unstable_by(|a, b| compare(a, b).then(a.1.cmp(&b.1)));
+    if order.iter().all(|(approximation, _)| approximation.error == 0.0) {
+        // Places that are known exactly need no predicate.
+        sort_by(&mut order, |(a, i), (b, j)| {
+            let [[x, y], [u, v]] = [a.place, b.place];
+            x.total_cmp(&u).then(y.total_cmp(&v)).then(i.cmp(j))
+        });
+    } else {
+        order.sort_unstable_by(|a, b| compare(a, b).then(a.1.cmp(&b.1)));
+    }
     let mut ends = Ends::default();
     ends.points.reserve(corners.len());
     ends.approximations.reserve(corners.len());
