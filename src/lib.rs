@@ -11,7 +11,7 @@
 //! - [`run`]: counters, progress, cancelling and limits, handed down as one value.
 //! - [`kernel`]: numbers, points, exact predicates.
 //! - [`spatial`]: hierarchies and crossings; they propose, they never decide.
-//! - [`polygon`]: triangulation of polygons with holes.
+//! - [`polygon`]: clipping, convexity, membership, triangulation of polygons with holes.
 //! - [`model`]: files, meshes, scenes, feature edges.
 //! - [`view`]: the contract between models, methods and drawings.
 //! - [`visibility`]: the object-space methods (Roberts, Appel).

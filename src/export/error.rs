@@ -106,4 +106,18 @@ pub enum ExportError {
     /// The SVG cannot be rendered, or the picture not be encoded.
     #[error("PNG: {0}")]
     Picture(String),
+    /// A polygon file that is not what its format wants.
+    #[error("line {line}: {message}")]
+    Shape {
+        /// Line of the text, counted from 1.
+        line: usize,
+        /// What is wrong, what was expected.
+        message: String,
+    },
+    /// A file name or a name of a format that no polygons go by.
+    #[error("`{0}` is no format of polygons; expected geojson, json or svg")]
+    ShapeFormat(String),
+    /// Polygons that cannot be numbered, or have no numbers.
+    #[error(transparent)]
+    Coordinates(#[from] crate::polygon::clipping::ShapeError),
 }

@@ -14,6 +14,9 @@
 //! | SVG | boxes of pixels | [`boxes_to_svg`] | |
 //! | JSON | [`VisibleLines`](crate::view::VisibleLines) | `to_json`, `read_drawing` | `json` |
 //!
+//! Polygons of the plane, [`Rounded`](crate::polygon::clipping::Rounded), are
+//! written and read as GeoJSON and as SVG paths: [`ShapeFormat`], [`ShapeFile`].
+//!
 //! [`OutputFormat`] is the table of formats by extension and by name, and
 //! [`write_file`] makes files appear whole or not at all.
 
@@ -30,6 +33,7 @@ mod json;
 mod json_reader;
 #[cfg(feature = "png")]
 mod png;
+mod shapes;
 #[cfg(feature = "svg")]
 mod svg;
 
@@ -44,5 +48,6 @@ pub use json::to_json;
 pub use json_reader::read_drawing;
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
+pub use shapes::{ShapeFile, ShapeFormat, ShapePart};
 #[cfg(feature = "svg")]
 pub use svg::{SvgOptions, to_svg};

@@ -7,12 +7,18 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
+/// So many small pieces of work are done by one thread.
+#[cfg(feature = "parallel")]
+const LEAST: usize = 1024;
+
 /// `[work(0), work(1), ..., work(count - 1)]`.
 pub fn map_indexed<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    // To wake a thread takes longer than much work of a single piece.
     #[cfg(feature = "parallel")]
-    return (0..count).into_par_iter().map(work).collect();
-    #[cfg(not(feature = "parallel"))]
-    return (0..count).map(work).collect();
+    if count > 1 {
+        return (0..count).into_par_iter().map(work).collect();
+    }
+    (0..count).map(work).collect()
 }
 
 /// Cuts `0..count` into ranges of `size` and maps each of them; results in
@@ -29,7 +35,18 @@ pub fn map_chunks<T: Send>(
 /// Overwrites each `target[i]` with `work(i)`.
 pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync + Send) {
     #[cfg(feature = "parallel")]
-    target.par_iter_mut().enumerate().with_min_len(1024).for_each(|(i, slot)| *slot = work(i));
-    #[cfg(not(feature = "parallel"))]
+    if target.len() > LEAST {
+        let slots = target.par_iter_mut().enumerate().with_min_len(LEAST);
+        return slots.for_each(|(i, slot)| *slot = work(i));
+    }
     target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
+}
+
+/// Sorts by an order in which no two are equal.
+pub fn sort_by<T: Send>(list: &mut [T], order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync) {
+    #[cfg(feature = "parallel")]
+    if list.len() > LEAST {
+        return list.par_sort_unstable_by(order);
+    }
+    list.sort_unstable_by(order);
 }

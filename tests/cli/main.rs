@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod clip;
 mod fixture;
 mod refusals;
 

@@ -13,6 +13,7 @@
 
 mod camera_file;
 mod camera_flags;
+mod clip;
 mod draw;
 mod failure;
 mod info;
@@ -49,6 +50,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    Clip(Box<clip::Clip>),
     Draw(Box<draw::Draw>),
     Info(Box<info::Info>),
     #[cfg(feature = "png")]
@@ -59,6 +61,7 @@ enum Command {
 fn main() -> ExitCode {
     let outcome = match Cli::try_parse() {
         Ok(cli) => match cli.command {
+            Command::Clip(clip) => clip.run(),
             Command::Draw(draw) => draw.run(),
             Command::Info(info) => info.run(),
             #[cfg(feature = "png")]

@@ -3,6 +3,7 @@
 
 use super::{Ring, Sign};
 use dashu_int::IBig;
+use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer of any size (a thin shell around a library's).
@@ -15,12 +16,37 @@ impl BigInteger {
         self.0.cmp(&IBig::ZERO).into()
     }
 
+    /// The greatest common divisor, not negative; one if both are zero.
+    pub(super) fn gcd(&self, other: &Self) -> Self {
+        use dashu_int::ops::Gcd;
+        if self.0 == IBig::ZERO && other.0 == IBig::ZERO {
+            return BigInteger(IBig::ONE);
+        }
+        BigInteger((&self.0).gcd(&other.0).into())
+    }
+
+    /// `self / other`, where that is whole; `other` must not be zero.
+    pub(super) fn quotient(&self, other: &Self) -> Self {
+        BigInteger(&self.0 / &other.0)
+    }
+
+    /// `2^exponent`.
+    pub(super) fn power_of_two(exponent: u32) -> Self {
+        BigInteger(IBig::ONE << exponent as usize)
+    }
+
     /// `numerator / denominator` as the nearest float or one next to it.
     /// The denominator must not be zero; zero gives zero.
     ///
     /// The quotient is formed with 64 significant bits by integer division,
     /// so its error is far below one unit in the last place.
     pub fn ratio(numerator: &Self, denominator: &Self) -> f64 {
+        Self::scaled_ratio(numerator, denominator, 0)
+    }
+
+    /// `numerator / denominator * 2^exponent`, which may be a float where
+    /// the quotient is beyond their range.
+    pub(crate) fn scaled_ratio(numerator: &Self, denominator: &Self, exponent: i32) -> f64 {
         if numerator.0 == IBig::ZERO || denominator.0 == IBig::ZERO {
             return 0.0;
         }
@@ -31,7 +57,7 @@ impl BigInteger {
             &numerator.0 / (&denominator.0 << (-excess) as usize)
         };
         let rounded: f64 = quotient.to_f64().value();
-        scale_by_power_of_two(rounded, -excess)
+        scale_by_power_of_two(rounded, i64::from(exponent) - excess)
     }
 }
 
@@ -68,6 +94,12 @@ impl Ring for BigInteger {
             IBig::from(mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0))
         };
         BigInteger(if value < 0.0 { -magnitude } else { magnitude })
+    }
+}
+
+impl fmt::Display for BigInteger {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
     }
 }
 

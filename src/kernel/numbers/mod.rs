@@ -10,6 +10,7 @@
 mod big;
 mod filtered;
 mod fixed;
+mod fraction;
 mod sign;
 mod small;
 
@@ -17,6 +18,7 @@ pub use big::BigInteger;
 pub(crate) use big::scale_by_power_of_two;
 pub use filtered::Filtered;
 pub use fixed::FixedInteger;
+pub use fraction::Fraction;
 pub use sign::Sign;
 pub use small::SmallInteger;
 

@@ -31,6 +31,22 @@ impl<const N: usize> SmallInteger<N> {
         }
     }
 
+    /// A float off by less than one unit in its last place.
+    pub fn to_f64(&self) -> f64 {
+        let size = if self.is_negative() { -*self } else { *self };
+        let Some(top) = (0..N).rev().find(|&i| size.words[i] != 0) else {
+            return 0.0;
+        };
+        // 64 bits at least, cut off below: less than half a unit; a float
+        // made of them rounds once more.
+        let shift = size.words[top].leading_zeros();
+        let below = if top > 0 { size.words[top - 1] } else { 0 };
+        let low = if shift == 0 { 0 } else { below >> (64 - shift) };
+        let leading = (size.words[top] << shift | low) as f64;
+        let value = leading * f64::powi(2.0, 64 * top as i32 - shift as i32);
+        if self.is_negative() { -value } else { value }
+    }
+
     #[inline(always)]
     fn is_negative(&self) -> bool {
         self.words[N - 1] >> 63 == 1
@@ -215,6 +231,19 @@ mod tests {
             let scaled = x.map(|value| value * f64::powi(2.0, 65));
             let big = sample(scaled, |value| BigInteger::read(value, 0)).sign();
             prop_assert_eq!(sample(scaled, |value| SmallInteger::<6>::read(value, 0)).sign(), big);
+        }
+
+        #[test]
+        fn the_float_of_a_product_is_that_of_big_integers(
+            a in coordinate(), b in coordinate(), c in coordinate(),
+        ) {
+            let small = [a, b, c].map(|value| SmallInteger::<6>::read(value, 0));
+            let big = [a, b, c].map(|value| BigInteger::read(value, 0));
+            let [x, y, z] = small;
+            let [u, v, w] = big;
+            let exact = BigInteger::ratio(&(u * v - w), &BigInteger::from(1));
+            let rounded = (x * y - z).to_f64();
+            prop_assert!((rounded - exact).abs() <= exact.abs() * f64::EPSILON);
         }
 
         #[test]

@@ -37,11 +37,17 @@ pub enum Predicate {
     Turn,
     /// What a ray through a vertex meets.
     Ray,
+    /// A point beside a line of the image.
+    Beside,
+    /// Which of two lines of the image turns left of the other.
+    Bend,
+    /// Which of two points of the image is swept first.
+    Sweep,
 }
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 11;
+    pub const COUNT: usize = 14;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -57,6 +63,9 @@ impl Predicate {
         ["filter-failures-combination", "big-integers-combination"],
         ["filter-failures-turn", "big-integers-turn"],
         ["filter-failures-ray", "big-integers-ray"],
+        ["filter-failures-beside", "big-integers-beside"],
+        ["filter-failures-bend", "big-integers-bend"],
+        ["filter-failures-sweep", "big-integers-sweep"],
     ];
 }
 

@@ -25,20 +25,24 @@
 //! behind a perspective eye too.
 
 mod carrier;
+mod chart;
 mod collinear;
 mod estimate;
 mod eye;
 mod fold;
 mod formula;
+mod image;
 mod ladder;
 mod points;
 mod ray;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point};
+pub use chart::{Chart, ImageLine, ImagePoint};
 pub use collinear::are_collinear;
 pub use estimate::Estimate;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
+pub use image::Approximation;
 pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough};
 pub use points::Points;

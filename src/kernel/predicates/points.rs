@@ -123,6 +123,8 @@ struct ScaledNear {
 pub struct Points {
     vertices: Vec<[f64; 3]>,
     unit: i32,
+    /// The exponent of the unit in which vertices are integers.
+    exponent: i32,
     eye: [f64; 3],
     eye_unit: i32,
     perspective: bool,
@@ -171,6 +173,7 @@ impl Points {
         Points {
             vertices: scaled,
             unit: kept_unit(points.unit()),
+            exponent: points.unit(),
             eye: shift3(eye.coordinates(), eye_range.unit()),
             eye_unit: kept_unit(eye_range.unit()),
             perspective: eye.is_perspective(),
@@ -234,6 +237,19 @@ impl Points {
         // Written out, for `map` is not inlined everywhere.
         let [x, y, z] = self.vertices[index as usize];
         [R::read(x, self.unit), R::read(y, self.unit), R::read(z, self.unit)]
+    }
+
+    /// The coordinates of a vertex as floats: in units, or as they are
+    /// where they span too many binary orders.
+    #[inline(always)]
+    pub(super) fn floats(&self, index: u32) -> [f64; 3] {
+        self.vertices[index as usize]
+    }
+
+    /// The exponent of the power of two by which integers read from
+    /// vertices are to be multiplied.
+    pub(super) fn integer_exponent(&self) -> i32 {
+        self.exponent
     }
 
     /// The direction or position of the eye, in its own unit.

@@ -1,0 +1,162 @@
+//! Exact shapes to floats and back, valid whatever is rounded.
+//!
+//! The grid is that of doubles. Vertices of the input are on it and stay
+//! where they are; crossings are moved to it, each coordinate by less than
+//! two units in its last place. An edge that is moved may run across a vertex
+//! next to it, so what was rounded is taken as a new input and all its
+//! crossings are found, exactly; where there are any they are rounded in
+//! their turn, until there are none (snap rounding, Greene and Yao 1986,
+//! Hobby 1999, on an uneven grid and repeated; Halperin and Packer 2002
+//! repeat it too).
+//!
+//! It ends: a crossing is put into the box of either edge, whose ends are on
+//! the grid, so an edge becomes a chain that is monotone in x and in y, in
+//! which every repetition puts at least one more of the finitely many grid
+//! points of the box. In practice one look back finds nothing, and the
+//! second repetition is rare.
+
+use super::{FillRule, PlaneShape, Polygon, Ring, ShapeError};
+use crate::kernel::predicates::{Chart, Exact, ImageLine, ImagePoint, Predicates};
+use glam::DVec2;
+
+/// The rings of a polygon, without closing corners.
+type Rings = Vec<Vec<DVec2>>;
+
+/// A shape in floats.
+///
+/// Always valid: rings are simple, turn as in [`Polygon`], and meet in single
+/// points at most; the inside of each polygon is connected.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Rounded {
+    /// Polygons of rings that are not closed by a repeated corner.
+    pub polygons: Vec<Vec<Vec<DVec2>>>,
+    /// How often crossings were rounded. Every corner is nearer than this
+    /// times two units in the last place, in each coordinate, to the border
+    /// of the exact shape; and the other way round.
+    pub rounds: u32,
+}
+
+impl Rounded {
+    /// As `geo` has it.
+    pub fn to_geo(&self) -> geo::MultiPolygon<f64> {
+        let ring = |ring: &Vec<DVec2>| {
+            let closed = ring.iter().chain(ring.first());
+            geo::LineString(closed.map(|corner| geo::Coord { x: corner.x, y: corner.y }).collect())
+        };
+        let polygon = |rings: &Rings| {
+            let mut rings = rings.iter().map(ring);
+            let outline = rings.next().unwrap_or_else(|| geo::LineString(Vec::new()));
+            geo::Polygon::new(outline, rings.collect())
+        };
+        geo::MultiPolygon(self.polygons.iter().map(polygon).collect())
+    }
+}
+
+impl PlaneShape {
+    /// The shape of `geo`'s polygons, by their rule: [`FillRule::Polygons`].
+    ///
+    /// # Errors
+    ///
+    /// Where a coordinate is not finite.
+    pub fn from_geo(polygons: &geo::MultiPolygon<f64>) -> Result<Self, ShapeError> {
+        let ring = |ring: &geo::LineString<f64>| -> Vec<DVec2> {
+            let open = ring.0.len() - usize::from(ring.is_closed() && ring.0.len() > 1);
+            ring.0[..open].iter().map(|corner| DVec2::new(corner.x, corner.y)).collect()
+        };
+        let rings = |polygon: &geo::Polygon<f64>| -> Rings {
+            std::iter::once(polygon.exterior()).chain(polygon.interiors()).map(ring).collect()
+        };
+        let rings: Vec<Rings> = polygons.iter().map(rings).collect();
+        Self::new(&rings, FillRule::Polygons)
+    }
+
+    /// The shape in floats; see [`Rounded`] for what is promised and the
+    /// module for how. What is narrower than the grid disappears, what is
+    /// wider stays.
+    ///
+    /// # Errors
+    ///
+    /// Where corners are too many to be numbered, which needs 2^31 of them.
+    pub fn rounded(&self) -> Result<Rounded, ShapeError> {
+        let own;
+        let mut shape = if self.is_result() {
+            self
+        } else {
+            own = self.normalized(false)?;
+            &own
+        };
+        let mut next;
+        let mut rounds = 0;
+        // What never was rounded is valid already.
+        while !shape.is_on_grid() {
+            let polygons = shape.round_once(rounds > 0);
+            rounds += 1;
+            next = Self::new(&polygons, FillRule::Positive)?.normalized(true)?;
+            shape = &next;
+        }
+        let polygons = if rounds == 0 { shape.round_once(false) } else { shape.straightened() };
+        Ok(Rounded { polygons, rounds })
+    }
+
+    /// The places of all vertices but those between edges on one line.
+    fn straightened(&self) -> Vec<Rings> {
+        let points = self.points();
+        let predicates = Predicates::<Exact>::new(&points);
+        let Some(chart) = Chart::new(&points) else {
+            return Vec::new();
+        };
+        let straight = |ring: &Ring| -> Vec<DVec2> {
+            let mut before = ring[ring.len() - 1].line;
+            let corners = ring.iter().filter_map(|corner| {
+                let bends = !predicates.bend(&chart, before, corner.line).is_zero();
+                before = corner.line;
+                match corner.point {
+                    ImagePoint::Vertex(vertex) if bends => Some(self.vertex(vertex)),
+                    _ => None,
+                }
+            });
+            corners.collect()
+        };
+        let rings = |polygon: &Polygon| polygon.rings.iter().map(straight).collect();
+        self.polygons().iter().map(rings).collect()
+    }
+
+    /// Whether no corner is a crossing.
+    fn is_on_grid(&self) -> bool {
+        let corners = self.polygons().iter().flat_map(|polygon| &polygon.rings).flatten();
+        corners.into_iter().all(|corner| matches!(corner.point, ImagePoint::Vertex(_)))
+    }
+
+    /// All rings with their corners rounded; where all edges are between
+    /// vertices, crossings stay in the boxes of their edges.
+    fn round_once(&self, stay: bool) -> Vec<Rings> {
+        let points = self.points();
+        let predicates = Predicates::<Exact>::new(&points);
+        let Some(chart) = Chart::new(&points) else {
+            return Vec::new();
+        };
+        let place = |point: ImagePoint| match point {
+            ImagePoint::Vertex(vertex) => self.vertex(vertex),
+            ImagePoint::Crossing(lines) => {
+                let place = DVec2::from(predicates.round(&chart, point));
+                if stay {
+                    lines.iter().fold(place, |place, line| self.into_box(place, line))
+                } else {
+                    place
+                }
+            }
+        };
+        let ring = |ring: &Ring| ring.iter().map(|corner| place(corner.point)).collect();
+        let rings = |polygon: &Polygon| polygon.rings.iter().map(ring).collect();
+        self.polygons().iter().map(rings).collect()
+    }
+
+    /// The place in the box of an edge next to this one.
+    fn into_box(&self, place: DVec2, line: &ImageLine) -> DVec2 {
+        let ImageLine::Edge([a, b]) = *line else {
+            return place;
+        };
+        let (a, b) = (self.vertex(a), self.vertex(b));
+        place.clamp(a.min(b), a.max(b))
+    }
+}
