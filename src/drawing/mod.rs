@@ -4,7 +4,8 @@
 //! upwards, world units or tangents. A pen wants long strokes on a sheet of
 //! paper. Between the two lie five steps, one file each:
 //!
-//! 0. `cropping`: a perspective picture ends at its field of view.
+//! 0. `cropping`: a picture ends at the window asked for, a perspective one at
+//!    its field of view.
 //! 1. `layering`: every piece goes into a layer, by visibility, class or
 //!    object; pieces that the style leaves out go nowhere.
 //! 2. `placement`: the box of what is drawn decides the scale, and its centre
@@ -34,6 +35,7 @@ mod paper;
 mod placement;
 mod scale;
 mod strokes;
+mod window;
 
 pub use error::DrawingError;
 pub use length::Length;
@@ -42,3 +44,4 @@ pub use page::{Drawing, Layer, LineStyle};
 pub use paper::Paper;
 pub use scale::Scale;
 pub use strokes::{Strokes, is_closed};
+pub use window::Window;

@@ -92,6 +92,9 @@ pub enum ExportError {
     /// A JSON drawing of another format.
     #[error("the format is `{0}`; expected `umriss-drawing/1`")]
     DrawingFormat(String),
+    /// A JSON drawing in a unit that nobody here has heard of.
+    #[error("the unit is `{0}`; expected mm, cm, m or in")]
+    Unit(String),
     /// A JSON drawing with a frame of no known kind.
     #[error("the frame's kind is `{0}`; expected `orthographic` or `perspective`")]
     FrameKind(String),

@@ -35,9 +35,9 @@ pub use file::write_file;
 pub use format::OutputFormat;
 pub use hpgl::{PLOTTER_UNIT, to_hpgl};
 #[cfg(feature = "json")]
-pub use json::to_json;
+pub use json::{DrawingNotes, to_json, to_json_with_notes};
 #[cfg(feature = "json")]
-pub use json_reader::read_drawing;
+pub use json_reader::{read_drawing, read_drawing_with_notes};
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, to_png};
 #[cfg(feature = "svg")]
