@@ -17,6 +17,9 @@
 //! 5. `dashing`: hidden polylines become dashes, which are real strokes,
 //!    because plotters and their programs draw a dash *pattern* solid.
 //!
+//! 6. `ordering`, on request: the order and the sense in which a pen draws its
+//!    strokes; `statistics` says how far it goes.
+//!
 //! Nothing is decided here: which parts of a line are seen is settled, and
 //! floating point only places them. Coordinates are rounded to decimals or
 //! plotter units later, once, by the exporter.
@@ -30,18 +33,22 @@ mod layering;
 mod length;
 mod merging;
 mod options;
+mod ordering;
 mod page;
 mod paper;
 mod placement;
 mod scale;
+mod statistics;
 mod strokes;
 mod window;
 
 pub use error::DrawingError;
 pub use length::Length;
 pub use options::{DrawingOptions, Hidden, LayerBy};
+pub use ordering::Effort;
 pub use page::{Drawing, Layer, LineStyle};
 pub use paper::Paper;
 pub use scale::Scale;
+pub use statistics::{PenStatistics, Speeds};
 pub use strokes::{Strokes, is_closed};
 pub use window::Window;

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod fixture;
+mod pens;
 mod refusals;
 mod restyling;
 

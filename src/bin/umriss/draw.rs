@@ -7,6 +7,7 @@ use crate::model_flags::{ModelFlags, UnitName};
 use crate::models::{Subject, read_subject};
 use crate::outputs::{Computed, OutputFlags};
 use crate::page_flags::PageFlags;
+use crate::pen_flags::PenFlags;
 use crate::session::RunFlags;
 use clap::Args;
 use std::path::PathBuf;
@@ -58,6 +59,8 @@ pub(crate) struct Draw {
     #[command(flatten)]
     page: PageFlags,
     #[command(flatten)]
+    pen: PenFlags,
+    #[command(flatten)]
     session: RunFlags,
 }
 
@@ -89,7 +92,8 @@ impl Draw {
         };
         let pieces = lines.pieces.len() as u64;
         let options = self.page.options(notes.unit.unwrap_or_default());
-        let drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
+        let mut drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
+        self.pen.apply(&mut drawing, &self.session, run);
         Ok(Computed { lines, notes, drawing })
     }
 
