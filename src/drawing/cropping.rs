@@ -90,6 +90,28 @@ fn clip(piece: &LinePiece, window: &Window, projection: Projection) -> Option<Li
     if !(start.is_finite() && end.is_finite()) {
         return Some(*piece);
     }
+    let borders = crossed(piece.points, window)?;
+    let end = |end: usize| match borders[end] {
+        Some(border) => (on_border(piece.points, border), depth_at(piece, border, projection)),
+        None => (piece.points[end], piece.depth[end]),
+    };
+    let ends = [end(0), end(1)];
+    let points = ends.map(|end| end.0);
+    (points[0] != points[1]).then(|| LinePiece { points, depth: ends.map(|end| end.1), ..*piece })
+}
+
+/// The part of a segment within the window, if any.
+pub(super) fn clip_segment(points: [DVec2; 2], window: &Window) -> Option<[DVec2; 2]> {
+    let borders = crossed(points, window)?;
+    let end = |end: usize| borders[end].map_or(points[end], |border| on_border(points, border));
+    let ends = [end(0), end(1)];
+    (ends[0] != ends[1]).then_some(ends)
+}
+
+/// The borders at which a line enters the window and leaves it, as far as it
+/// does; nothing if it is never inside.
+fn crossed(points: [DVec2; 2], window: &Window) -> Option<[Option<Border>; 2]> {
+    let [start, end] = points;
     let (mut enter, mut leave) = (None, None);
     for axis in 0..2 {
         let (low, high) = (window.low()[axis], window.high()[axis]);
@@ -98,24 +120,17 @@ fn clip(piece: &LinePiece, window: &Window, projection: Projection) -> Option<Li
         }
         if let Some(at) = beyond(start[axis], low, high) {
             let border = Border { axis, at };
-            enter = Some(enter.map_or(border, |other| later(piece.points, border, other)));
+            enter = Some(enter.map_or(border, |other| later(points, border, other)));
         }
         if let Some(at) = beyond(end[axis], low, high) {
             let border = Border { axis, at };
-            leave = Some(leave.map_or(border, |other| earlier(piece.points, border, other)));
+            leave = Some(leave.map_or(border, |other| earlier(points, border, other)));
         }
     }
-    if let (Some(enter), Some(leave)) = (enter, leave)
-        && !comes_first(piece.points, enter, leave)
-    {
-        return None;
+    match (enter, leave) {
+        (Some(enter), Some(leave)) if !comes_first(points, enter, leave) => None,
+        both => Some(both.into()),
     }
-    let ends = [
-        enter.map_or((start, piece.depth[0]), |border| cut(piece, border, projection)),
-        leave.map_or((end, piece.depth[1]), |border| cut(piece, border, projection)),
-    ];
-    let points = ends.map(|end| end.0);
-    (points[0] != points[1]).then(|| LinePiece { points, depth: ends.map(|end| end.1), ..*piece })
 }
 
 /// The border beyond which a coordinate lies.
@@ -157,22 +172,26 @@ fn coord(point: DVec2) -> Coord<f64> {
     Coord { x: point.x, y: point.y }
 }
 
-/// The point of a piece on a border, and its depth.
-fn cut(piece: &LinePiece, border: Border, projection: Projection) -> (DVec2, f64) {
-    let [start, end] = piece.points;
+/// The point of a line on a border that it crosses.
+fn on_border([start, end]: [DVec2; 2], border: Border) -> DVec2 {
     let (axis, other) = (border.axis, 1 - border.axis);
     let mut point = DVec2::ZERO;
     point[axis] = border.at;
     let value = on_line([start[axis], end[axis]], [start[other], end[other]], border.at);
     point[other] = value.clamp(start[other].min(end[other]), start[other].max(end[other])) + 0.0;
-    let share = (border.at - start[axis]) / (end[axis] - start[axis]);
+    point
+}
+
+/// The depth of a piece on a border.
+fn depth_at(piece: &LinePiece, border: Border, projection: Projection) -> f64 {
+    let [start, end] = piece.points.map(|point| point[border.axis]);
+    let share = (border.at - start) / (end - start);
     let [from, to] = piece.depth;
-    let depth = match projection {
+    match projection {
         Projection::Orthographic => from + (to - from) * share,
         // The inverse of a depth is linear in the image.
         Projection::Perspective => 1.0 / ((1.0 - share) / from + share / to),
-    };
-    (point, depth)
+    }
 }
 
 /// The y at which the line through (x0, y0) and (x1, y1) reaches `x`, worked

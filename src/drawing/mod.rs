@@ -20,12 +20,15 @@
 //! 6. `ordering`, on request: the order and the sense in which a pen draws its
 //!    strokes; `statistics` says how far it goes.
 //!
+//! `cutting`, on request too, cuts strokes to what a plotter reaches.
+//!
 //! Nothing is decided here: which parts of a line are seen is settled, and
 //! floating point only places them. Coordinates are rounded to decimals or
 //! plotter units later, once, by the exporter.
 
 mod chaining;
 mod cropping;
+mod cutting;
 mod dashing;
 mod error;
 mod joints;

@@ -8,7 +8,7 @@
 //! | format | from | function | feature |
 //! | --- | --- | --- | --- |
 //! | SVG | [`Drawing`](crate::drawing::Drawing) | `to_svg` | `svg` |
-//! | HPGL | [`Drawing`](crate::drawing::Drawing) | [`to_hpgl`] | |
+//! | HPGL | [`Drawing`](crate::drawing::Drawing) | [`to_hpgl`], [`to_hpgl_with`] | table: `devices` |
 //! | PNG | the SVG | `to_png` | `png` |
 //! | JSON | [`VisibleLines`](crate::view::VisibleLines) | `to_json`, `read_drawing` | `json` |
 //!
@@ -30,10 +30,14 @@ mod png;
 #[cfg(feature = "svg")]
 mod svg;
 
-pub use error::ExportError;
+pub use error::{ExportError, Reach};
 pub use file::write_file;
 pub use format::OutputFormat;
-pub use hpgl::{PLOTTER_UNIT, to_hpgl};
+#[cfg(feature = "devices")]
+pub use hpgl::devices;
+pub use hpgl::{
+    Device, DevicePaper, HpglOptions, PLOTTER_UNIT, plotter_window, to_hpgl, to_hpgl_with,
+};
 #[cfg(feature = "json")]
 pub use json::{DrawingNotes, to_json, to_json_with_notes};
 #[cfg(feature = "json")]

@@ -8,6 +8,7 @@ use crate::models::{Subject, read_subject};
 use crate::outputs::{Computed, OutputFlags};
 use crate::page_flags::PageFlags;
 use crate::pen_flags::PenFlags;
+use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
 use clap::Args;
 use std::path::PathBuf;
@@ -24,6 +25,7 @@ Examples:
   umriss draw part.stl -o part.svg
   umriss draw house.obj trees.obj -o scene.svg -o scene.png --view iso-sw --hidden dashed
   umriss draw part.glb -o part.hpgl --paper a3 --landscape --scale 1:2
+  umriss draw part.stl -o part.hpgl --device hp7475a --margin 16mm --order best --speed 10
   umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
@@ -61,6 +63,8 @@ pub(crate) struct Draw {
     #[command(flatten)]
     pen: PenFlags,
     #[command(flatten)]
+    plotter: PlotterFlags,
+    #[command(flatten)]
     session: RunFlags,
 }
 
@@ -69,11 +73,12 @@ impl Draw {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let outputs = self.outputs.plan()?;
         self.method.map_or(Ok(()), Method::check)?;
-        let computed = self.session.run(|run| self.draw(run))?;
-        outputs.write(&computed, self.page.precision)
+        let plotter = self.plotter.plotter()?;
+        let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        outputs.write(&computed, &plotter, self.page.precision)
     }
 
-    fn draw(&self, run: &Run<'_>) -> Result<Computed, Failure> {
+    fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
         let hidden = self.page.hidden_wanted();
         let (lines, notes) = match read_subject(&self.models, &self.model, &self.session, run)? {
             Subject::Scene(scene) => {
@@ -93,7 +98,7 @@ impl Draw {
         let pieces = lines.pieces.len() as u64;
         let options = self.page.options(notes.unit.unwrap_or_default());
         let mut drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
-        self.pen.apply(&mut drawing, &self.session, run);
+        self.pen.apply(&mut drawing, plotter, &self.session, run);
         Ok(Computed { lines, notes, drawing })
     }
 

@@ -2,7 +2,7 @@
 //!
 //! One file per command; what commands share stands beside them: flags
 //! ([`model_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
-//! [`pen_flags`]), reading
+//! [`pen_flags`], [`plotter_flags`]), reading
 //! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
 //! Only the public interface of the library is used, and no geometry is done
 //! here.
@@ -25,6 +25,7 @@ mod page_flags;
 mod pen_flags;
 #[cfg(feature = "png")]
 mod picture;
+mod plotter_flags;
 mod progress;
 mod session;
 mod verify;

@@ -4,13 +4,13 @@
 //! whatever cannot be drawn leaves nothing behind.
 
 use crate::failure::Failure;
+use crate::plotter_flags::Plotter;
 use clap::Args;
 use std::io::{ErrorKind, Write, stdout};
 use std::path::{Path, PathBuf};
 use umriss::drawing::Drawing;
 use umriss::export::{
-    DrawingNotes, ExportError, OutputFormat, SvgOptions, to_hpgl, to_json_with_notes, to_svg,
-    write_file,
+    DrawingNotes, ExportError, OutputFormat, SvgOptions, to_json_with_notes, to_svg, write_file,
 };
 use umriss::view::VisibleLines;
 
@@ -80,10 +80,15 @@ impl OutputFlags {
 
 impl Outputs<'_> {
     /// Renders everything, then writes everything.
-    pub(crate) fn write(&self, computed: &Computed, precision: u8) -> Result<(), Failure> {
+    pub(crate) fn write(
+        &self,
+        computed: &Computed,
+        plotter: &Plotter,
+        precision: u8,
+    ) -> Result<(), Failure> {
         let mut rendered = Vec::with_capacity(self.outputs.len());
         for output in &self.outputs {
-            rendered.push(render(output.format, computed, precision)?);
+            rendered.push(render(output.format, computed, plotter, precision)?);
         }
         for (output, bytes) in self.outputs.iter().zip(&rendered) {
             match output.path {
@@ -95,12 +100,17 @@ impl Outputs<'_> {
     }
 }
 
-fn render(format: OutputFormat, computed: &Computed, precision: u8) -> Result<Vec<u8>, Failure> {
+fn render(
+    format: OutputFormat,
+    computed: &Computed,
+    plotter: &Plotter,
+    precision: u8,
+) -> Result<Vec<u8>, Failure> {
     let Computed { lines, notes, drawing } = computed;
     let svg = || to_svg(drawing, &SvgOptions { precision, command: None });
     match format {
         OutputFormat::Svg => Ok(svg()?.into_bytes()),
-        OutputFormat::Hpgl => Ok(to_hpgl(drawing)?.into_bytes()),
+        OutputFormat::Hpgl => Ok(plotter.hpgl(drawing)?.into_bytes()),
         OutputFormat::Json => Ok(to_json_with_notes(lines, notes)?),
         OutputFormat::Png => picture(&svg()?),
     }
