@@ -16,6 +16,20 @@ pub enum DrawingError {
     /// Not a scale.
     #[error("`{0}` is no scale; expected fit, a ratio as in 1:2, or a factor as in 0.5")]
     Scale(String),
+    /// Not a window of the picture.
+    #[error("`{0}` is no frame; expected two corners U0,V0,U1,V1 with an area between them")]
+    Window(String),
+    /// A window in which there is nothing to draw.
+    #[error(
+        "nothing is drawn in this frame; the lines reach from {},{} to {},{}",
+        low[0], low[1], high[0], high[1]
+    )]
+    EmptyWindow {
+        /// The left and lower border of all lines.
+        low: [f64; 2],
+        /// The right and upper border of all lines.
+        high: [f64; 2],
+    },
     /// A word that is none of the words expected.
     #[error("`{word}` is no choice here; expected {expected}")]
     Choice {

@@ -4,7 +4,8 @@
 //! upwards, world units or tangents. A pen wants long strokes on a sheet of
 //! paper. Between the two lie five steps, one file each:
 //!
-//! 0. `cropping`: a perspective picture ends at its field of view.
+//! 0. `cropping`: a picture ends at the window asked for, a perspective one at
+//!    its field of view.
 //! 1. `layering`: every piece goes into a layer, by visibility, class or
 //!    object; pieces that the style leaves out go nowhere.
 //! 2. `placement`: the box of what is drawn decides the scale, and its centre
@@ -16,12 +17,18 @@
 //! 5. `dashing`: hidden polylines become dashes, which are real strokes,
 //!    because plotters and their programs draw a dash *pattern* solid.
 //!
+//! 6. `ordering`, on request: the order and the sense in which a pen draws its
+//!    strokes; `statistics` says how far it goes.
+//!
+//! `cutting`, on request too, cuts strokes to what a plotter reaches.
+//!
 //! Nothing is decided here: which parts of a line are seen is settled, and
 //! floating point only places them. Coordinates are rounded to decimals or
 //! plotter units later, once, by the exporter.
 
 mod chaining;
 mod cropping;
+mod cutting;
 mod dashing;
 mod error;
 mod joints;
@@ -29,16 +36,22 @@ mod layering;
 mod length;
 mod merging;
 mod options;
+mod ordering;
 mod page;
 mod paper;
 mod placement;
 mod scale;
+mod statistics;
 mod strokes;
+mod window;
 
 pub use error::DrawingError;
 pub use length::Length;
 pub use options::{DrawingOptions, Hidden, LayerBy};
+pub use ordering::Effort;
 pub use page::{Drawing, Layer, LineStyle};
 pub use paper::Paper;
 pub use scale::Scale;
+pub use statistics::{PenStatistics, Speeds};
 pub use strokes::{Strokes, is_closed};
+pub use window::Window;

@@ -1,6 +1,6 @@
 //! What may be wished of a drawing.
 
-use super::{DrawingError, Length, Paper, Scale};
+use super::{DrawingError, Length, Paper, Scale, Window};
 use crate::model::Unit;
 use std::str::FromStr;
 
@@ -72,6 +72,9 @@ pub struct DrawingOptions {
     /// The border kept free when the drawing is fitted, or added around it
     /// on tight paper.
     pub margin: Length,
+    /// The part of the picture that is drawn, cut at its border; it and not
+    /// the box of the lines is then fitted and centred.
+    pub window: Option<Window>,
     /// How large the drawing becomes.
     pub scale: Scale,
     /// The unit of the view frame's lengths.
@@ -94,6 +97,7 @@ impl Default for DrawingOptions {
             paper: Paper::A4,
             landscape: false,
             margin: DEFAULT_MARGIN,
+            window: None,
             scale: Scale::Fit,
             unit: Unit::Millimetre,
             layer_by: LayerBy::Visibility,

@@ -58,15 +58,15 @@ impl Drawing {
     ///
     /// # Errors
     ///
-    /// If widths, margins or scale do not go with the page or the view, or
-    /// coordinates are not finite.
+    /// If widths, margins, scale or window do not go with the page or the
+    /// view, or coordinates are not finite.
     pub fn new(lines: &VisibleLines, options: &DrawingOptions) -> Result<Self, DrawingError> {
         for width in [options.visible_width, options.hidden_width] {
             if !PEN_WIDTHS.contains(&width) {
                 return Err(DrawingError::PenWidth(width));
             }
         }
-        let lines = &*crop(lines, options);
+        let lines = &*crop(lines, options)?;
         let plans = plan(lines, options);
         let placement = Placement::new(lines, &plans, options)?;
         let layers =

@@ -24,13 +24,17 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// Places the box of all drawn pieces in the centre of the page.
+    /// Places the window, or else the box of all drawn pieces, in the centre
+    /// of the page.
     pub(super) fn new(
         lines: &VisibleLines,
         plans: &[LayerPlan],
         options: &DrawingOptions,
     ) -> Result<Self, DrawingError> {
-        let (low, high) = bounds(lines, plans)?;
+        let (low, high) = match (bounds(lines, plans)?, options.window) {
+            (_, Some(window)) => (window.low(), window.high()),
+            (bounds, None) => bounds,
+        };
         let extent = high - low;
         let margin = options.margin.millimetres();
         let paper = if options.landscape { options.paper.landscape() } else { options.paper };

@@ -59,6 +59,12 @@ impl Strokes {
         };
         self.iter().map(stroke).sum()
     }
+
+    /// The length of the ways from each stroke to the next, mm.
+    pub fn pen_up_length(&self) -> f64 {
+        let pairs = (1..self.len()).map(|next| (self.get(next - 1), self.get(next)));
+        pairs.fold(0.0, |sum, (one, other)| sum + one[one.len() - 1].distance(other[0]))
+    }
 }
 
 /// Whether a stroke ends where it begins.

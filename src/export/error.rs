@@ -62,6 +62,52 @@ pub enum ExportError {
         /// Distance from the upper border of the page, mm.
         y: f64,
     },
+    /// A page for which the plotter has no sheet.
+    #[error(
+        "HPGL: the {device} has no sheet for a page of {width} x {height} mm; expected one of \
+         {papers}, standing or lying"
+    )]
+    PlotterPaper {
+        /// The plotter.
+        device: String,
+        /// Width of the page, mm.
+        width: f64,
+        /// Height of the page, mm.
+        height: f64,
+        /// The sheets it has.
+        papers: String,
+    },
+    /// A drawing that leaves the hard-clip limits.
+    #[error("HPGL: {0}")]
+    PlotterLimits(Box<Reach>),
+    /// A speed that the plotter has not.
+    #[error("HPGL: the {device} cannot draw at {velocity} cm/s; expected {low} to {high}")]
+    PlotterVelocity {
+        /// The plotter.
+        device: String,
+        /// The speed asked for, cm/s.
+        velocity: f64,
+        /// The slowest, cm/s.
+        low: f64,
+        /// The fastest, cm/s.
+        high: f64,
+    },
+    /// A table of plotters that cannot be read.
+    #[error("line {line} of the plotters: {message}")]
+    DeviceTable {
+        /// Line of the text, counted from 1.
+        line: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// A plotter that cannot be.
+    #[error("the plotter `{id}`: {message}")]
+    Device {
+        /// Its name in the table.
+        id: String,
+        /// What was expected.
+        message: &'static str,
+    },
     /// A coordinate that JSON has no number for.
     #[error("JSON: line {line} of the drawing has a coordinate that is not finite")]
     NotFinite {
@@ -92,6 +138,9 @@ pub enum ExportError {
     /// A JSON drawing of another format.
     #[error("the format is `{0}`; expected `umriss-drawing/1`")]
     DrawingFormat(String),
+    /// A JSON drawing in a unit that nobody here has heard of.
+    #[error("the unit is `{0}`; expected mm, cm, m or in")]
+    Unit(String),
     /// A JSON drawing with a frame of no known kind.
     #[error("the frame's kind is `{0}`; expected `orthographic` or `perspective`")]
     FrameKind(String),
@@ -120,4 +169,31 @@ pub enum ExportError {
     /// Polygons that cannot be numbered, or have no numbers.
     #[error(transparent)]
     Coordinates(#[from] crate::polygon::clipping::ShapeError),
+}
+
+/// How far a plotter reaches, and how far a drawing would have it reach.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "with {paper} paper the {device} reaches x {} to {} and y {} to {}, that is {:.2},{:.2} to \
+     {:.2},{:.2} mm of the page; the drawing needs {:.2},{:.2} to {:.2},{:.2} mm",
+    x[0], x[1], y[0], y[1], from[0], from[1], to[0], to[1],
+    drawn_from[0], drawn_from[1], drawn_to[0], drawn_to[1]
+)]
+pub struct Reach {
+    /// The plotter.
+    pub device: String,
+    /// Its sheet.
+    pub paper: String,
+    /// The limits along x, plotter units.
+    pub x: [f64; 2],
+    /// The limits along y, plotter units.
+    pub y: [f64; 2],
+    /// The upper left corner of what it reaches of the page, mm.
+    pub from: [f64; 2],
+    /// The lower right corner of it, mm.
+    pub to: [f64; 2],
+    /// The upper left corner of the drawing, mm.
+    pub drawn_from: [f64; 2],
+    /// The lower right corner of the drawing, mm.
+    pub drawn_to: [f64; 2],
 }

@@ -7,10 +7,13 @@
 //! One line of text per line of the drawing, so that text tools can compare
 //! two drawings. Beyond what every reader needs, the file keeps what is lost
 //! otherwise: `objects`, all names in the order of the scene; `run`, which
-//! pieces are one straight line; for oblique views `shear`, and for
+//! pieces are one straight line; `unit`, that of the models, and `hidden`,
+//! whether hidden lines were looked for, so that a page made of the file is
+//! the page made of the models; for oblique views `shear`, and for
 //! perspective ones `half_height`, the tangent of half the field of view.
 
 use super::ExportError;
+use crate::model::Unit;
 use crate::run::{Counters, map_chunks};
 use crate::view::{Frame, LinePiece, LineSource, Projection, VisibleLines};
 use serde::{Deserialize, Serialize};
@@ -28,17 +31,48 @@ pub(super) const PERSPECTIVE: &str = "perspective";
 /// How many lines are written by one piece of work.
 const CHUNK: usize = 4096;
 
+/// What a page needs to know of a drawing beside its lines; nothing is what
+/// drawings by another hand say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct DrawingNotes {
+    /// The unit of the models.
+    pub unit: Option<Unit>,
+    /// Whether hidden lines were asked for. Where they were not, there are
+    /// none, whatever is hidden.
+    pub hidden: Option<bool>,
+}
+
 /// The lines as a JSON drawing, in UTF-8.
 ///
 /// # Errors
 ///
 /// If a coordinate is not finite, since JSON cannot say so.
 pub fn to_json(lines: &VisibleLines) -> Result<Vec<u8>, ExportError> {
+    to_json_with_notes(lines, &DrawingNotes::default())
+}
+
+/// The lines and what is to be known of them as a JSON drawing, in UTF-8.
+///
+/// # Errors
+///
+/// As [`to_json`].
+pub fn to_json_with_notes(
+    lines: &VisibleLines,
+    notes: &DrawingNotes,
+) -> Result<Vec<u8>, ExportError> {
     let mut text = Vec::new();
     text.extend_from_slice(b"{\"format\":\"");
     text.extend_from_slice(FORMAT.as_bytes());
     text.extend_from_slice(b"\",\n\"frame\":");
     push(&mut text, &frame_text(&lines.frame)?)?;
+    if let Some(unit) = notes.unit {
+        text.extend_from_slice(b",\n\"unit\":");
+        push(&mut text, &unit.name())?;
+    }
+    if let Some(hidden) = notes.hidden {
+        text.extend_from_slice(b",\n\"hidden\":");
+        push(&mut text, &hidden)?;
+    }
     text.extend_from_slice(b",\n\"objects\":");
     push(&mut text, &lines.objects)?;
     text.extend_from_slice(b",\n\"lines\":[");

@@ -7,7 +7,8 @@
 //! in which lines have them.
 
 use super::ExportError;
-use super::json::{FORMAT, FrameText, LineText, ORTHOGRAPHIC, PERSPECTIVE};
+use super::json::{DrawingNotes, FORMAT, FrameText, LineText, ORTHOGRAPHIC, PERSPECTIVE};
+use crate::model::Unit;
 use crate::run::Counters;
 use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
 use glam::{DVec2, DVec3};
@@ -24,6 +25,15 @@ use std::collections::BTreeMap;
 /// Names the place in the text if it is no JSON or lacks something, and the
 /// line of the drawing if that contradicts itself.
 pub fn read_drawing(bytes: &[u8]) -> Result<VisibleLines, ExportError> {
+    read_drawing_with_notes(bytes).map(|(lines, _)| lines)
+}
+
+/// Reads a JSON drawing and what it says beside its lines.
+///
+/// # Errors
+///
+/// As [`read_drawing`].
+pub fn read_drawing_with_notes(bytes: &[u8]) -> Result<(VisibleLines, DrawingNotes), ExportError> {
     // The format is looked at first: of another version nothing else may fit.
     let Header { format } = serde_json::from_slice(bytes)?;
     if format != FORMAT {
@@ -31,6 +41,7 @@ pub fn read_drawing(bytes: &[u8]) -> Result<VisibleLines, ExportError> {
     }
     let text: DrawingText = serde_json::from_slice(bytes)?;
     let frame = read_frame(&text.frame)?;
+    let notes = DrawingNotes { unit: read_unit(text.unit)?, hidden: text.hidden };
     let mut objects = Objects::new(text.objects);
     let has_runs = text.lines.iter().all(|line| line.run.is_some());
     let mut pieces = Vec::with_capacity(text.lines.len());
@@ -44,7 +55,7 @@ pub fn read_drawing(bytes: &[u8]) -> Result<VisibleLines, ExportError> {
     for (name, amount) in text.counters {
         counters.add(name, amount);
     }
-    Ok(VisibleLines { frame, objects: objects.names, pieces, counters })
+    Ok((VisibleLines { frame, objects: objects.names, pieces, counters }, notes))
 }
 
 #[derive(Deserialize)]
@@ -56,6 +67,8 @@ struct Header {
 struct DrawingText<'a> {
     #[serde(borrow)]
     frame: FrameText<'a>,
+    unit: Option<&'a str>,
+    hidden: Option<bool>,
     #[serde(default)]
     objects: Vec<String>,
     #[serde(borrow)]
@@ -88,6 +101,11 @@ impl Objects {
         self.known.insert(name.to_owned(), index);
         index
     }
+}
+
+fn read_unit(name: Option<&str>) -> Result<Option<Unit>, ExportError> {
+    let unit = |name: &str| Unit::from_name(name).ok_or_else(|| ExportError::Unit(name.to_owned()));
+    name.map(unit).transpose()
 }
 
 fn read_frame(text: &FrameText) -> Result<Frame, ExportError> {

@@ -8,7 +8,7 @@
 //! | format | from | function | feature |
 //! | --- | --- | --- | --- |
 //! | SVG | [`Drawing`](crate::drawing::Drawing) | `to_svg` | `svg` |
-//! | HPGL | [`Drawing`](crate::drawing::Drawing) | [`to_hpgl`] | |
+//! | HPGL | [`Drawing`](crate::drawing::Drawing) | [`to_hpgl`], [`to_hpgl_with`] | table: `devices` |
 //! | PNG | the SVG | `to_png` | `png` |
 //! | PNG | pixels | `pixels_to_png` | `png` |
 //! | SVG | boxes of pixels | [`boxes_to_svg`] | |
@@ -38,14 +38,18 @@ mod shapes;
 mod svg;
 
 pub use boxes::boxes_to_svg;
-pub use error::ExportError;
+pub use error::{ExportError, Reach};
 pub use file::write_file;
 pub use format::OutputFormat;
-pub use hpgl::{PLOTTER_UNIT, to_hpgl};
+#[cfg(feature = "devices")]
+pub use hpgl::devices;
+pub use hpgl::{
+    Device, DevicePaper, HpglOptions, PLOTTER_UNIT, plotter_window, to_hpgl, to_hpgl_with,
+};
 #[cfg(feature = "json")]
-pub use json::to_json;
+pub use json::{DrawingNotes, to_json, to_json_with_notes};
 #[cfg(feature = "json")]
-pub use json_reader::read_drawing;
+pub use json_reader::{read_drawing, read_drawing_with_notes};
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
 pub use shapes::{ShapeFile, ShapeFormat, ShapePart};

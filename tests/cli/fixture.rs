@@ -53,6 +53,31 @@ pub(crate) fn wave(side: usize) -> String {
     text
 }
 
+/// The length of all paths of an SVG.
+pub(crate) fn drawn_length(svg: &str) -> f64 {
+    let mut length = 0.0;
+    for line in svg.lines().filter(|line| line.starts_with("<path")) {
+        let data = line.split('"').nth(1).unwrap();
+        for stroke in data.split('M').skip(1) {
+            let closed = stroke.ends_with('Z');
+            let mut points: Vec<[f64; 2]> = stroke
+                .trim_end_matches('Z')
+                .split('L')
+                .map(|point| {
+                    let (x, y) = point.split_once(' ').unwrap();
+                    [x.parse().unwrap(), y.parse().unwrap()]
+                })
+                .collect();
+            points.extend(closed.then_some(points[0]));
+            length += points
+                .windows(2)
+                .map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]))
+                .sum::<f64>();
+        }
+    }
+    length
+}
+
 /// What the program said.
 pub(crate) struct Said {
     pub(crate) output: String,

@@ -4,7 +4,9 @@
 
 mod clip;
 mod fixture;
+mod pens;
 mod refusals;
+mod restyling;
 
 use fixture::Folder;
 
@@ -167,46 +169,6 @@ fn threads_do_not_change_a_byte() {
         assert!(one == two, "{format}");
         assert!(one.len() > 10_000, "{format}");
     }
-}
-
-#[test]
-fn a_computed_drawing_is_restyled_to_the_bytes_that_its_model_gives() {
-    let folder = Folder::with_cube();
-    folder.write("wave.obj", &fixture::wave(12));
-    folder.succeeds("draw wave.obj -o wave.json --hidden solid --view iso-sw");
-    let styles = [
-        "",
-        "--hidden dashed",
-        "--hidden solid --layer-by class --paper tight --scale 1:2 --unit cm",
-        "--hidden dashed --layer-by object --paper 80x60mm --margin 2mm --landscape --precision 1",
-    ];
-    for style in styles {
-        folder.succeeds(&format!("draw wave.obj -o model.svg --view iso-sw {style}"));
-        folder.succeeds(&format!("draw wave.json -o json.svg {style}"));
-        assert_eq!(folder.text("model.svg"), folder.text("json.svg"), "{style}");
-    }
-    folder.succeeds("draw wave.json -o again.json");
-    assert_eq!(folder.text("wave.json"), folder.text("again.json"));
-}
-
-#[test]
-fn what_a_drawing_has_settled_is_not_asked_again() {
-    let folder = Folder::with_cube();
-    folder.succeeds("draw cube.obj -o cube.json");
-    for (flags, name) in [
-        ("--view top", "the camera"),
-        ("--edges contour", "--crease and --edges"),
-        ("--method appel", "--method"),
-        ("--weld 1", "--weld"),
-        ("--up-axis y", "--up-axis"),
-    ] {
-        let message = format!(
-            "umriss: a computed drawing cannot be computed otherwise: expected a model, or no \
-             flags for {name}\n"
-        );
-        folder.fails(2, &format!("draw cube.json -o a.svg {flags}"), &message);
-    }
-    assert_eq!(folder.names(), ["cube.json", "cube.obj"]);
 }
 
 #[test]

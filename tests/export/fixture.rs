@@ -58,3 +58,21 @@ fn add(
         run,
     });
 }
+
+/// All strokes of an SVG, as its paths have them.
+#[cfg(feature = "svg")]
+pub(crate) fn svg_strokes(svg: &str) -> Vec<Vec<DVec2>> {
+    let mut strokes = Vec::new();
+    for line in svg.lines().filter(|line| line.starts_with("<path")) {
+        for stroke in line.split('"').nth(1).unwrap().split('M').skip(1) {
+            let point = |text: &str| {
+                let (x, y) = text.split_once(' ').unwrap();
+                DVec2::new(x.parse().unwrap(), y.parse().unwrap())
+            };
+            let mut points: Vec<_> = stroke.trim_end_matches('Z').split('L').map(point).collect();
+            points.extend(stroke.ends_with('Z').then_some(points[0]));
+            strokes.push(points);
+        }
+    }
+    strokes
+}

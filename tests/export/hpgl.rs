@@ -1,65 +1,16 @@
 //! HPGL, read back by a parser that forgives nothing.
 
 use crate::fixture::cube;
+use crate::strict_plotter::{self, Limits, Plot};
 use glam::DVec2;
 use proptest::prelude::*;
 use umriss::drawing::{Drawing, DrawingOptions, Hidden, Layer, LineStyle, Strokes};
 use umriss::export::{ExportError, PLOTTER_UNIT, to_hpgl};
 use umriss::model::Color;
 
-/// What a plotter would draw: pen and points of each stroke, plotter units.
-type Plot = Vec<(u32, Vec<[i64; 2]>)>;
-
-/// Reads plotter instructions, or says what a strict plotter would mind.
-fn plot(text: &str, limit: [i64; 2]) -> Result<Plot, String> {
-    let mut strokes: Plot = Vec::new();
-    let mut pen = None;
-    let mut at: Option<[i64; 2]> = None;
-    let body = text.strip_prefix("IN;\n").ok_or("does not begin with IN")?;
-    let body = body.strip_suffix("PU;\nSP0;\n").ok_or("does not end with PU and SP0")?;
-    for line in body.lines() {
-        if 240 < line.len() {
-            return Err(format!("an instruction of {} characters", line.len()));
-        }
-        let line = line.strip_suffix(';').ok_or("no semicolon")?;
-        let (mnemonic, numbers) = line.split_at_checked(2).ok_or("too short")?;
-        let integers: Vec<i64> = match numbers {
-            "" => vec![],
-            _ => numbers.split(',').map(integer).collect::<Result<_, _>>()?,
-        };
-        let (points, rest) = integers.as_chunks::<2>();
-        let points_only = rest.is_empty() && !points.is_empty();
-        if mnemonic != "SP" && !points.iter().all(|p| p[0] <= limit[0] && p[1] <= limit[1]) {
-            return Err(format!("{line}: outside the page"));
-        }
-        match mnemonic {
-            "SP" if at.is_none() && rest.len() == 1 && (1..=8).contains(&rest[0]) => {
-                pen = Some(rest[0] as u32);
-            }
-            "PU" if points.is_empty() && rest.is_empty() => at = None,
-            "PU" if points_only && points.len() == 1 => {
-                at = Some(points[0]);
-                strokes.push((pen.ok_or("no pen")?, vec![points[0]]));
-            }
-            "PD" if points_only && at.is_some() => {
-                let stroke = &mut strokes.last_mut().ok_or("no stroke")?.1;
-                for point in points {
-                    if stroke.last() == Some(point) {
-                        return Err(format!("{line}: a move of no length"));
-                    }
-                    stroke.push(*point);
-                }
-            }
-            _ => return Err(format!("{line}: not expected here")),
-        }
-    }
-    Ok(strokes)
-}
-
-fn integer(text: &str) -> Result<i64, String> {
-    let plain = text == "0" || (!text.starts_with('0') && text.bytes().all(|b| b.is_ascii_digit()));
-    let number = text.parse().ok().filter(|number| plain && *number <= 32767);
-    number.ok_or_else(|| format!("{text}: no 16-bit integer"))
+/// A generic plotter with a page of this size, plotter units.
+fn plot(text: &str, high: [i64; 2]) -> Result<Plot, String> {
+    strict_plotter::plot(text, Limits { low: [0, 0], high, pens: 8, select: None })
 }
 
 fn drawing(size: DVec2, strokes: &[Vec<DVec2>], number: u32) -> Drawing {

@@ -2,11 +2,14 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[cfg(all(feature = "svg", feature = "devices"))]
+mod devices;
 mod fixture;
 #[cfg(all(feature = "svg", feature = "json"))]
 mod golden;
 mod hpgl;
 #[cfg(feature = "json")]
 mod json;
+mod strict_plotter;
 #[cfg(feature = "png")]
 mod svg;

@@ -3,14 +3,17 @@
 use crate::camera_flags::CameraFlags;
 use crate::failure::Failure;
 use crate::line_flags::{LineFlags, Method};
-use crate::model_flags::ModelFlags;
+use crate::model_flags::{ModelFlags, UnitName};
 use crate::models::{Subject, read_subject};
-use crate::outputs::OutputFlags;
+use crate::outputs::{Computed, OutputFlags};
 use crate::page_flags::PageFlags;
+use crate::pen_flags::PenFlags;
+use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
 use clap::Args;
 use std::path::PathBuf;
 use umriss::drawing::Drawing;
+use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
 use umriss::model::Scene;
 use umriss::run::Run;
@@ -22,16 +25,22 @@ Examples:
   umriss draw part.stl -o part.svg
   umriss draw house.obj trees.obj -o scene.svg -o scene.png --view iso-sw --hidden dashed
   umriss draw part.glb -o part.hpgl --paper a3 --landscape --scale 1:2
+  umriss draw part.stl -o part.hpgl --device hp7475a --margin 16mm --order best --speed 10
   umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
+  umriss draw part.json -o detail.svg --frame 10,-5,30,15 --scale 5:1 --paper tight
   cat part.off | umriss draw - -o - --format svg > part.svg";
+
+const NO_HIDDEN_LINES: &str = "\
+the drawing was computed without its hidden lines: expected --hidden none, or a drawing that was \
+computed with --hidden";
 
 /// Draw models without their hidden lines.
 ///
 /// All models are one scene. A JSON drawing in their place is put on
-/// another page without computing it again; the page's --unit is that of
-/// the models it was made of.
+/// another page without computing it again: the files are the same to the
+/// byte as if they were drawn from the models.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Draw {
@@ -52,6 +61,10 @@ pub(crate) struct Draw {
     #[command(flatten)]
     page: PageFlags,
     #[command(flatten)]
+    pen: PenFlags,
+    #[command(flatten)]
+    plotter: PlotterFlags,
+    #[command(flatten)]
     session: RunFlags,
 }
 
@@ -60,23 +73,33 @@ impl Draw {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let outputs = self.outputs.plan()?;
         self.method.map_or(Ok(()), Method::check)?;
-        let (lines, drawing) = self.session.run(|run| self.draw(run))?;
-        outputs.write(&lines, &drawing, self.page.precision)
+        let plotter = self.plotter.plotter()?;
+        let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        outputs.write(&computed, &plotter, self.page.precision)
     }
 
-    fn draw(&self, run: &Run<'_>) -> Result<(VisibleLines, Drawing), Failure> {
-        let (lines, unit) = match read_subject(&self.models, &self.model, &self.session, run)? {
-            Subject::Scene(scene) => (self.find_lines(&scene, run)?, scene.unit),
-            Subject::Drawing(lines) => {
+    fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
+        let hidden = self.page.hidden_wanted();
+        let (lines, notes) = match read_subject(&self.models, &self.model, &self.session, run)? {
+            Subject::Scene(scene) => {
+                let notes = DrawingNotes { unit: Some(scene.unit), hidden: Some(hidden) };
+                (self.find_lines(&scene, run)?, notes)
+            }
+            Subject::Drawing(drawing) => {
+                let (lines, mut notes) = *drawing;
                 self.refuse_flags_of_models()?;
-                let unit = self.model.unit.map(|name| name.unit()).unwrap_or_default();
-                (*lines, unit)
+                if hidden && notes.hidden == Some(false) {
+                    return Err(Failure::usage(NO_HIDDEN_LINES));
+                }
+                notes.unit = self.model.unit.map(UnitName::unit).or(notes.unit);
+                (lines, notes)
             }
         };
         let pieces = lines.pieces.len() as u64;
-        let drawing =
-            run.stage("page", pieces, || Drawing::new(&lines, &self.page.options(unit)))?;
-        Ok((lines, drawing))
+        let options = self.page.options(notes.unit.unwrap_or_default());
+        let mut drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
+        self.pen.apply(&mut drawing, plotter, &self.session, run);
+        Ok(Computed { lines, notes, drawing })
     }
 
     fn find_lines(&self, scene: &Scene, run: &Run<'_>) -> Result<VisibleLines, Failure> {

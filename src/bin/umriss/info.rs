@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::line_flags::parse_fold;
-use crate::model_flags::{ModelFlags, UnitName};
+use crate::model_flags::ModelFlags;
 use crate::models::read_scene;
 use crate::outputs::print;
 use crate::session::RunFlags;
@@ -120,7 +120,7 @@ impl Facts {
             triangles,
             vertices: mesh.vertices().len(),
             loose_lines: mesh.loose_lines().len(),
-            unit: UnitName::of(scene.unit),
+            unit: scene.unit.name(),
             bounds: [low.to_array(), high.to_array()],
             size: (high - low).to_array(),
             components: topology.components,

@@ -1,7 +1,8 @@
 //! The program `umriss`: reads flags, runs the library, writes files.
 //!
 //! One file per command; what commands share stands beside them: flags
-//! ([`model_flags`], [`camera_flags`], [`line_flags`], [`page_flags`]), reading
+//! ([`model_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
+//! [`pen_flags`], [`plotter_flags`]), reading
 //! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
 //! Only the public interface of the library is used, and no geometry is done
 //! here.
@@ -22,8 +23,10 @@ mod model_flags;
 mod models;
 mod outputs;
 mod page_flags;
+mod pen_flags;
 #[cfg(feature = "png")]
 mod picture;
+mod plotter_flags;
 mod progress;
 #[cfg(feature = "png")]
 mod raster;

@@ -46,16 +46,6 @@ impl UnitName {
             UnitName::In => Unit::Inch,
         }
     }
-
-    /// The name of a unit.
-    pub(crate) fn of(unit: Unit) -> &'static str {
-        match unit {
-            Unit::Millimetre => "mm",
-            Unit::Centimetre => "cm",
-            Unit::Metre => "m",
-            Unit::Inch => "in",
-        }
-    }
 }
 
 /// An axis by its name.

@@ -1,12 +1,12 @@
 //! Reads what the command line names: models, or one computed drawing.
 
 use crate::failure::Failure;
-use crate::model_flags::{AxisName, ModelFlags, UnitName};
+use crate::model_flags::{AxisName, ModelFlags};
 use crate::session::RunFlags;
 use serde::Deserialize;
 use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
-use umriss::export::{ExportError, read_drawing};
+use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
 use umriss::model::import::{Imported, read_bytes, read_file};
 use umriss::model::{Scene, SceneOptions, Unit};
 use umriss::run::Run;
@@ -23,8 +23,8 @@ const HEADER: usize = 256;
 pub(crate) enum Subject {
     /// Models, as one scene.
     Scene(Box<Scene>),
-    /// The lines of a drawing that was computed before.
-    Drawing(Box<VisibleLines>),
+    /// The lines of a drawing that was computed before, and its notes.
+    Drawing(Box<(VisibleLines, DrawingNotes)>),
 }
 
 /// Reads models into one scene, or one JSON drawing.
@@ -37,9 +37,9 @@ pub(crate) fn read_subject(
     let sources = sources(files)?;
     if flags.input_format.is_none()
         && let [source] = &*sources
-        && let Some(lines) = read_lines(source)?
+        && let Some(drawing) = read_computed(source)?
     {
-        return Ok(Subject::Drawing(Box::new(lines)));
+        return Ok(Subject::Drawing(Box::new(drawing)));
     }
     scene_of(&sources, flags, session, run).map(|scene| Subject::Scene(Box::new(scene)))
 }
@@ -87,7 +87,7 @@ fn source(file: &Path) -> Result<Source<'_>, Failure> {
 }
 
 /// The drawing in a source, if it is one.
-fn read_lines(source: &Source<'_>) -> Result<Option<VisibleLines>, Failure> {
+fn read_computed(source: &Source<'_>) -> Result<Option<(VisibleLines, DrawingNotes)>, Failure> {
     let read;
     let bytes = match source.path {
         None => &source.bytes,
@@ -103,7 +103,7 @@ fn read_lines(source: &Source<'_>) -> Result<Option<VisibleLines>, Failure> {
         return Ok(None);
     }
     let name = source.name();
-    read_drawing(bytes).map(Some).map_err(|error| match error {
+    read_drawing_with_notes(bytes).map(Some).map_err(|error| match error {
         ExportError::Json { line, column, message } => {
             Failure::failed(format!("{name}:{line}: column {column}: {message}"))
         }
@@ -186,8 +186,8 @@ fn common_unit(
             "{}: the numbers are in {}, but those of the models before in {}; expected --unit to \
              say what all numbers mean",
             source.name(),
-            UnitName::of(own),
-            UnitName::of(unit)
+            own.name(),
+            unit.name()
         ))),
         _ => Ok(own),
     }

@@ -4,11 +4,14 @@
 //! whatever cannot be drawn leaves nothing behind.
 
 use crate::failure::Failure;
+use crate::plotter_flags::Plotter;
 use clap::Args;
 use std::io::{ErrorKind, Write, stdout};
 use std::path::{Path, PathBuf};
 use umriss::drawing::Drawing;
-use umriss::export::{ExportError, OutputFormat, SvgOptions, to_hpgl, to_json, to_svg, write_file};
+use umriss::export::{
+    DrawingNotes, ExportError, OutputFormat, SvgOptions, to_json_with_notes, to_svg, write_file,
+};
 use umriss::view::VisibleLines;
 
 /// Flags of commands that draw.
@@ -28,6 +31,13 @@ struct Output<'a> {
     /// Nothing for standard output.
     path: Option<&'a Path>,
     format: OutputFormat,
+}
+
+/// What is written.
+pub(crate) struct Computed {
+    pub(crate) lines: VisibleLines,
+    pub(crate) notes: DrawingNotes,
+    pub(crate) drawing: Drawing,
 }
 
 /// All outputs, checked before anything is computed.
@@ -72,13 +82,13 @@ impl Outputs<'_> {
     /// Renders everything, then writes everything.
     pub(crate) fn write(
         &self,
-        lines: &VisibleLines,
-        drawing: &Drawing,
+        computed: &Computed,
+        plotter: &Plotter,
         precision: u8,
     ) -> Result<(), Failure> {
         let mut rendered = Vec::with_capacity(self.outputs.len());
         for output in &self.outputs {
-            rendered.push(render(output.format, lines, drawing, precision)?);
+            rendered.push(render(output.format, computed, plotter, precision)?);
         }
         for (output, bytes) in self.outputs.iter().zip(&rendered) {
             match output.path {
@@ -92,15 +102,16 @@ impl Outputs<'_> {
 
 fn render(
     format: OutputFormat,
-    lines: &VisibleLines,
-    drawing: &Drawing,
+    computed: &Computed,
+    plotter: &Plotter,
     precision: u8,
 ) -> Result<Vec<u8>, Failure> {
+    let Computed { lines, notes, drawing } = computed;
     let svg = || to_svg(drawing, &SvgOptions { precision, command: None });
     match format {
         OutputFormat::Svg => Ok(svg()?.into_bytes()),
-        OutputFormat::Hpgl => Ok(to_hpgl(drawing)?.into_bytes()),
-        OutputFormat::Json => Ok(to_json(lines)?),
+        OutputFormat::Hpgl => Ok(plotter.hpgl(drawing)?.into_bytes()),
+        OutputFormat::Json => Ok(to_json_with_notes(lines, notes)?),
         OutputFormat::Png => picture(&svg()?),
     }
 }

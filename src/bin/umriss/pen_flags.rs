@@ -1,0 +1,44 @@
+//! Flags that say how a pen goes about its drawing.
+
+use crate::plotter_flags::Plotter;
+use crate::session::RunFlags;
+use clap::Args;
+use umriss::drawing::{Drawing, Effort, PenStatistics};
+use umriss::run::Run;
+
+/// The way of the pen.
+#[derive(Args)]
+#[command(next_help_heading = "Pen")]
+pub(crate) struct PenFlags {
+    /// Order of strokes, so that the pen travels little between them: keep, greedy, best, a
+    /// number of steps to improve it, or a time as in 2s, which depends on the machine
+    /// [default: keep]
+    #[arg(long, value_name = "HOW", value_parser = str::parse::<Effort>)]
+    order: Option<Effort>,
+}
+
+impl PenFlags {
+    /// Puts the strokes in order and counts what drawing them takes.
+    pub(crate) fn apply(
+        &self,
+        drawing: &mut Drawing,
+        plotter: &Plotter,
+        session: &RunFlags,
+        run: &Run<'_>,
+    ) {
+        let effort = self.order.unwrap_or_default();
+        if let Effort::Time(_) = effort {
+            session.note("--order with a time depends on the machine: another run may differ");
+        }
+        let strokes = drawing.layers.iter().map(|layer| layer.strokes.len() as u64).sum();
+        run.stage("pen order", strokes, || drawing.order(effort));
+        count(&PenStatistics::of(drawing), plotter, run);
+    }
+}
+
+fn count(pen: &PenStatistics, plotter: &Plotter, run: &Run<'_>) {
+    run.count("pen-strokes", pen.strokes as u64);
+    run.count("pen-down-mm", pen.drawn.round() as u64);
+    run.count("pen-up-mm", pen.pen_up.round() as u64);
+    run.count("pen-seconds", pen.seconds(&plotter.speeds()).round() as u64);
+}

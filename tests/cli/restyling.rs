@@ -1,0 +1,120 @@
+//! A computed drawing on another page: the files that its models would give.
+
+use super::fixture::{self, Folder};
+
+#[test]
+fn a_computed_drawing_is_restyled_to_the_bytes_that_its_model_gives() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(12));
+    folder.succeeds("draw wave.obj -o wave.json --hidden solid --view iso-sw");
+    let styles = [
+        "",
+        "--hidden dashed",
+        "--hidden solid --layer-by class --paper tight --scale 1:2 --unit cm",
+        "--hidden dashed --layer-by object --paper 80x60mm --margin 2mm --landscape --precision 1",
+    ];
+    for style in styles {
+        folder.succeeds(&format!("draw wave.obj -o model.svg --view iso-sw {style}"));
+        folder.succeeds(&format!("draw wave.json -o json.svg {style}"));
+        assert_eq!(folder.text("model.svg"), folder.text("json.svg"), "{style}");
+    }
+    folder.succeeds("draw wave.json -o again.json");
+    assert_eq!(folder.text("wave.json"), folder.text("again.json"));
+}
+
+#[test]
+fn what_a_drawing_has_settled_is_not_asked_again() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o cube.json");
+    for (flags, name) in [
+        ("--view top", "the camera"),
+        ("--edges contour", "--crease and --edges"),
+        ("--method appel", "--method"),
+        ("--weld 1", "--weld"),
+        ("--up-axis y", "--up-axis"),
+    ] {
+        let message = format!(
+            "umriss: a computed drawing cannot be computed otherwise: expected a model, or no \
+             flags for {name}\n"
+        );
+        folder.fails(2, &format!("draw cube.json -o a.svg {flags}"), &message);
+    }
+    assert_eq!(folder.names(), ["cube.json", "cube.obj"]);
+}
+
+#[test]
+fn a_page_of_a_computed_drawing_is_the_page_of_its_models_in_every_format() {
+    let folder = Folder::with_cube();
+    folder.write("triangle.gltf", fixture::TRIANGLE_GLTF);
+    let cases = [
+        ("cube.obj", "--eye 40,-50,30 --fov 12", "--hidden dashed --paper a5 --landscape"),
+        ("triangle.gltf", "--view front", "--hidden solid --paper tight --scale 1:10"),
+        ("cube.obj", "--view cabinet --unit in", "--hidden dashed --scale 1:2 --layer-by class"),
+        ("cube.obj", "--view iso", "--hidden dashed --frame -9,-4,2.5,7 --scale 3:1"),
+    ];
+    for (model, view, style) in cases {
+        folder.succeeds(&format!("draw {model} -o c.json {view} --hidden solid"));
+        let all = |name: &str| format!("-o {name}.svg -o {name}.hpgl -o {name}.json -o {name}.png");
+        folder.succeeds(&format!("draw {model} {} {view} {style}", all("model")));
+        folder.succeeds(&format!("draw c.json {} {style}", all("json")));
+        for format in ["svg", "hpgl", "json", "png"] {
+            let [model, json] =
+                ["model", "json"].map(|name| folder.bytes(&format!("{name}.{format}")));
+            assert!(model == json, "{view} {style}: {format}");
+        }
+    }
+}
+
+#[test]
+fn hidden_lines_that_were_not_looked_for_are_not_silently_missing() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o cube.json");
+    folder.fails(
+        2,
+        "draw cube.json -o a.svg --hidden dashed",
+        "umriss: the drawing was computed without its hidden lines: expected --hidden none, or a \
+         drawing that was computed with --hidden\n",
+    );
+    folder.write("unit.json", &folder.text("cube.json").replace("\"mm\"", "\"furlong\""));
+    folder.fails(
+        1,
+        "draw unit.json -o a.svg",
+        "umriss: unit.json: the unit is `furlong`; expected mm, cm, m or in\n",
+    );
+}
+
+#[test]
+fn a_frame_cuts_the_picture_and_is_fitted() {
+    let folder = Folder::with_cube();
+    folder.succeeds("draw cube.obj -o cube.json --view front");
+    let frame = "draw cube.json -o a.svg --frame -3,-20,20,2 --paper tight --margin 0";
+    folder.succeeds(frame);
+    let svg = folder.text("a.svg");
+    assert!(svg.contains("viewBox=\"0 0 23 22\""), "{svg}");
+    // The front of the cube, -5 to 5, without its left side and its top.
+    assert!(svg.contains("d=\"M0 7L8 7L8 0\""), "{svg}");
+    folder.succeeds(&format!("{frame} --scale 2:1"));
+    assert!(folder.text("a.svg").contains("d=\"M0 14L16 14L16 0\""));
+    folder.fails(
+        2,
+        "draw cube.json -o b.svg --frame 6,6,7,8",
+        "umriss: nothing is drawn in this frame; the lines reach from -5,-5 to 5,5\n",
+    );
+}
+
+#[test]
+fn details_side_by_side_have_the_length_of_the_whole() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(16));
+    folder.succeeds("draw wave.obj -o wave.json --edges contour,boundary,crease,mesh");
+    let length = |frame: &str| {
+        folder.succeeds(&format!(
+            "draw wave.json -o a.svg --paper tight --scale 1:1 --precision 9 {frame}"
+        ));
+        fixture::drawn_length(&folder.text("a.svg"))
+    };
+    let whole = length("");
+    let corners = ["-99,-99", "-99,99", "99,-99", "99,99"];
+    let parts: f64 = corners.iter().map(|c| length(&format!("--frame {c},1.25,0.5"))).sum();
+    assert!((parts - whole).abs() < 1e-6 * whole, "{parts} of {whole}");
+}
