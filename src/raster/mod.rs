@@ -10,6 +10,7 @@ mod item_buffer;
 mod ray_cast;
 mod samples;
 mod sheets;
+mod span_buffer;
 #[cfg(test)]
 mod tests;
 
@@ -18,3 +19,4 @@ pub use item_buffer::ItemBuffer;
 pub use ray_cast::ray_cast;
 pub use samples::Samples;
 pub use sheets::{Probe, SheetCounter};
+pub use span_buffer::{Compare, c_buffer, span_buffer, span_buffer_with};

@@ -10,14 +10,14 @@
 //!
 //! O(samples x (log n + hits)).
 
+use super::item_buffer::tie_order;
 use super::{BoxTree, ItemBuffer, Samples};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Eye, Points, Policy, Predicates};
+use crate::kernel::predicates::{Points, Policy, Predicates};
 use crate::model::{View, ViewCoordinates};
 use crate::run::{Cancelled, Run, map_chunks, map_indexed};
 use crate::spatial::Bounds;
 use crate::view::LineQuestion;
-use glam::DVec3;
 use std::cmp::Ordering;
 
 /// Samples per task.
@@ -37,15 +37,13 @@ pub fn ray_cast<P: Policy>(
 ) -> Result<ItemBuffer, Cancelled> {
     let mesh = question.mesh;
     let first = mesh.vertices().len() as u32;
-    let (width, height) = (samples.width(), samples.height());
-    let count = width as usize * height as usize;
+    let count = samples.width() as usize * samples.height() as usize;
     // Samples become vertices behind those of the mesh.
     let mut vertices = mesh.vertices().to_vec();
-    vertices.extend((0..count as u32).map(|i| samples.point(i % width, i / width)));
+    vertices.extend(samples.points(0..samples.height()));
     let points = Points::new(&vertices, view.eye, view.near);
     let coordinates = ViewCoordinates::new(&view.frame, &vertices);
-    let caster =
-        Caster { question, view, tree: triangle_tree(question, &coordinates), vertices: &vertices };
+    let caster = Caster { question, tree: triangle_tree(question, &coordinates) };
     let parts = run.stage("ray-cast", count as u64, || {
         map_chunks(count, PART, |part| {
             run.check()?;
@@ -56,8 +54,7 @@ pub fn ray_cast<P: Policy>(
                     let sample = first + i as u32;
                     let mut area = coordinates.bounds([sample]);
                     area.high[2] = f32::INFINITY;
-                    let hit = caster.nearest(&predicates, sample, &area);
-                    (hit, caster.depth(sample, hit))
+                    caster.nearest(&predicates, sample, &area)
                 })
                 .collect();
             run.merge(&predicates.counters());
@@ -70,7 +67,7 @@ pub fn ray_cast<P: Policy>(
     for part in parts {
         hits.extend(part?);
     }
-    Ok(ItemBuffer::new(width, hits))
+    Ok(ItemBuffer::of_items(view, mesh, samples, hits))
 }
 
 /// The boxes of all triangles that can hide something.
@@ -84,9 +81,7 @@ pub(super) fn triangle_tree(question: &LineQuestion, coordinates: &ViewCoordinat
 
 struct Caster<'a, 'q> {
     question: &'a LineQuestion<'q>,
-    view: &'a View,
     tree: BoxTree,
-    vertices: &'a [DVec3],
 }
 
 impl Caster<'_, '_> {
@@ -113,7 +108,8 @@ impl Caster<'_, '_> {
             let wins = best.is_none_or(|best| {
                 let order = predicates.nearer(sample, (corners, facing), self.triangle(best));
                 order == Sign::Positive
-                    || (order.is_zero() && self.rank(triangle, best) == Ordering::Less)
+                    || (order.is_zero()
+                        && tie_order(self.question.mesh, triangle, best) == Ordering::Less)
             });
             if wins {
                 best = Some(triangle);
@@ -121,44 +117,6 @@ impl Caster<'_, '_> {
         });
         best
     }
-
-    /// Compares triangles by what they are, not by where the file has them.
-    fn rank(&self, s: u32, t: u32) -> Ordering {
-        let mesh = self.question.mesh;
-        let corners = |triangle: u32| {
-            let mut corners = mesh.triangles()[triangle as usize]
-                .map(|corner| mesh.vertices()[corner as usize].to_array());
-            corners.sort_unstable_by(compare);
-            corners
-        };
-        let name = |triangle| &mesh.objects()[mesh.object_of_triangle(triangle) as usize].name;
-        let (a, b) = (corners(s), corners(t));
-        let by_corner = a.iter().zip(&b).map(|(a, b)| compare(a, b));
-        by_corner
-            .fold(Ordering::Equal, Ordering::then)
-            .then_with(|| name(s).cmp(name(t)))
-            .then(s.cmp(&t))
-    }
-
-    /// Depth of the point that a sample sees, rounded.
-    fn depth(&self, sample: u32, hit: Option<u32>) -> f64 {
-        let Some(triangle) = hit else {
-            return f64::INFINITY;
-        };
-        let [a, b, c] = self.triangle(triangle).0.map(|v| self.vertices[v as usize]);
-        let x = self.vertices[sample as usize];
-        let normal = (b - a).cross(c - a);
-        let ray = match self.view.eye {
-            Eye::At(eye) => eye - x,
-            Eye::Towards(direction) => direction,
-        };
-        let along = normal.dot(a - x) / normal.dot(ray);
-        self.view.frame.depth(x + ray * along)
-    }
-}
-
-fn compare(a: &[f64; 3], b: &[f64; 3]) -> Ordering {
-    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
 }
 
 /// Whether the closed image of a triangle contains that of a vertex.

@@ -7,18 +7,20 @@
 
 use crate::model::{Frame, Projection, ViewCoordinates};
 use glam::{DVec2, DVec3};
+use std::ops::Range;
 
 /// Bits of a sample's coordinates below the largest of them.
 const SAMPLE_BITS: i32 = 44;
 
-/// A grid of square pixels over a rectangle of the image.
+/// A grid of pixels over a rectangle of the image, square ones unless they
+/// were divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Samples {
     frame: Frame,
     /// The upper left corner, view frame.
     corner: DVec2,
-    /// The side of a pixel, view frame units.
-    pixel: f64,
+    /// The sides of a pixel, view frame units.
+    pixel: DVec2,
     width: u32,
     height: u32,
     /// Depth at which sample points lie.
@@ -71,7 +73,7 @@ impl Samples {
         Some(Samples {
             frame: *frame,
             corner: DVec2::new(middle.x - half.x, middle.y + half.y),
-            pixel,
+            pixel: DVec2::splat(pixel),
             width,
             height,
             depth,
@@ -89,9 +91,41 @@ impl Samples {
         self.height
     }
 
-    /// The side of a pixel in view frame units.
+    /// The width of a pixel in view frame units.
     pub fn pixel(&self) -> f64 {
-        self.pixel
+        self.pixel.x
+    }
+
+    /// The grid with each pixel divided into `columns` x `rows`.
+    #[must_use]
+    pub fn divided(&self, columns: u32, rows: u32) -> Self {
+        Samples {
+            pixel: self.pixel / DVec2::new(f64::from(columns), f64::from(rows)),
+            width: self.width * columns,
+            height: self.height * rows,
+            ..*self
+        }
+    }
+
+    /// Columns and rows of all samples whose rays may meet something whose
+    /// image lies between two points of the view frame, and of a few more
+    /// around them.
+    pub fn reached_by(&self, [low, high]: [DVec2; 2]) -> [Range<u32>; 2] {
+        // A sample is rounded by half a grain along each axis, and a little
+        // in what led to it; in perspective that shrinks with its depth.
+        let depth = if self.depth > 0.0 { self.depth } else { 1.0 };
+        let slack = DVec2::splat(1.5) + DVec2::splat(4.0 * self.grain / depth) / self.pixel;
+        let first = DVec2::new(low.x - self.corner.x, self.corner.y - high.y) / self.pixel - slack;
+        let end = DVec2::new(high.x - self.corner.x, self.corner.y - low.y) / self.pixel + slack;
+        let size = [self.width, self.height];
+        // Casts stop at the ends of the range of a number.
+        let clamp = |axis: usize, place: f64| (place as u32).min(size[axis]);
+        [0, 1].map(|axis| clamp(axis, first[axis].floor())..clamp(axis, end[axis].ceil()))
+    }
+
+    /// The world points of the samples of some rows, row by row.
+    pub fn points(&self, rows: Range<u32>) -> impl Iterator<Item = DVec3> + '_ {
+        rows.flat_map(move |row| (0..self.width).map(move |column| self.point(column, row)))
     }
 
     /// The world point of a sample.

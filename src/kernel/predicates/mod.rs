@@ -30,6 +30,7 @@ mod eye;
 mod fold;
 mod formula;
 mod ladder;
+mod lattice;
 mod points;
 mod ray;
 
@@ -39,4 +40,5 @@ pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
 pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough};
+pub use lattice::{Form, Lattice};
 pub use points::Points;
