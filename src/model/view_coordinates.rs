@@ -155,23 +155,6 @@ impl ViewCoordinates {
         bounds
     }
 
-    /// The lowest and highest image coordinates of the convex hull of
-    /// vertices, as far as it lies in front of the eye: view frame units,
-    /// infinite if it reaches the plane of the eye, with low above high if
-    /// all of it is behind. Rounded outward.
-    pub fn image_range<const N: usize>(&self, vertices: [u32; N]) -> [DVec2; 2] {
-        let mut range = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        for vertex in vertices {
-            let Some((low, high)) = self.interval(vertex) else {
-                let behind = vertices.iter().all(|&vertex| self.is_behind(vertex));
-                let everywhere = [DVec2::NEG_INFINITY, DVec2::INFINITY];
-                return if behind { [everywhere[1], everywhere[0]] } else { everywhere };
-            };
-            range = [range[0].min(low.truncate()), range[1].max(high.truncate())];
-        }
-        range
-    }
-
     /// The box of something that reaches the plane of the eye: its image
     /// may be anywhere, its depth is bounded from above.
     fn bounds_across_eye(&self, vertices: &[u32]) -> Bounds {

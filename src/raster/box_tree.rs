@@ -3,7 +3,10 @@
 //!
 //! O(n log n) to build, expected O(log n + answers) to ask.
 
+use crate::model::ViewCoordinates;
+use crate::run::map_indexed;
 use crate::spatial::Bounds;
+use crate::view::LineQuestion;
 
 /// Most items of a leaf.
 const LEAF: usize = 4;
@@ -37,6 +40,16 @@ impl BoxTree {
             build(&boxes, &mut items, 0, end, &mut nodes);
         }
         BoxTree { boxes, items, nodes }
+    }
+
+    /// The tree of all triangles that can hide something: edge-on ones are
+    /// left out.
+    pub fn of_triangles(question: &LineQuestion, coordinates: &ViewCoordinates) -> Self {
+        let triangles = question.mesh.triangles();
+        BoxTree::new(map_indexed(triangles.len(), |i| match question.facing[i].is_zero() {
+            true => Bounds::EMPTY,
+            false => coordinates.bounds(triangles[i]),
+        }))
     }
 
     /// Calls `found` with all items whose images' boxes meet that of

@@ -3,20 +3,30 @@
 //!
 //! They are judges. Where another method could share code with them they
 //! do not: candidates come from this room's own tree, counts are written
-//! afresh, and only the predicates are common ground.
+//! afresh, and only the predicates are common ground. Among themselves the
+//! methods share what a sample is and sees ([`samples`]) and nothing else;
+//! none knows another, and all give the same [`ItemBuffer`], bit by bit.
 
 mod box_tree;
 mod item_buffer;
+mod methods;
 mod ray_cast;
-mod samples;
+pub mod samples;
+mod scanline;
 mod sheets;
 mod span_buffer;
 #[cfg(test)]
 mod tests;
+mod warnock;
+mod z_buffer;
 
 pub use box_tree::BoxTree;
 pub use item_buffer::ItemBuffer;
+pub use methods::{Method, methods};
 pub use ray_cast::ray_cast;
 pub use samples::Samples;
+pub use scanline::{scanline, spanning};
 pub use sheets::{Probe, SheetCounter};
 pub use span_buffer::{Compare, c_buffer, span_buffer, span_buffer_with};
+pub use warnock::{Stop, Subdivision, Window, warnock, warnock_vertex, warnock_windows};
+pub use z_buffer::z_buffer;

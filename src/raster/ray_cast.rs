@@ -10,15 +10,14 @@
 //!
 //! O(samples x (log n + hits)).
 
-use super::item_buffer::tie_order;
-use super::{BoxTree, ItemBuffer, Samples};
+use super::samples::{Sampled, Samples};
+use super::{BoxTree, ItemBuffer};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Points, Policy, Predicates};
+use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::{View, ViewCoordinates};
-use crate::run::{Cancelled, Run, map_chunks, map_indexed};
+use crate::run::{Cancelled, Run, map_chunks};
 use crate::spatial::Bounds;
 use crate::view::LineQuestion;
-use std::cmp::Ordering;
 
 /// Samples per task.
 const PART: usize = 1024;
@@ -35,23 +34,22 @@ pub fn ray_cast<P: Policy>(
     samples: &Samples,
     run: &Run,
 ) -> Result<ItemBuffer, Cancelled> {
-    let mesh = question.mesh;
-    let first = mesh.vertices().len() as u32;
-    let count = samples.width() as usize * samples.height() as usize;
-    // Samples become vertices behind those of the mesh.
-    let mut vertices = mesh.vertices().to_vec();
-    vertices.extend(samples.points(0..samples.height()));
-    let points = Points::new(&vertices, view.eye, view.near);
+    let sampled = Sampled::new(view, question, samples);
+    let width = samples.width();
+    let count = width as usize * samples.height() as usize;
+    // Boxes of rays and of triangles must be rounded alike.
+    let mut vertices = question.mesh.vertices().to_vec();
+    vertices.extend((0..count as u32).map(|i| samples.point(i % width, i / width)));
     let coordinates = ViewCoordinates::new(&view.frame, &vertices);
-    let caster = Caster { question, tree: triangle_tree(question, &coordinates) };
+    let caster = Caster { sampled: &sampled, tree: BoxTree::of_triangles(question, &coordinates) };
     let parts = run.stage("ray-cast", count as u64, || {
         map_chunks(count, PART, |part| {
             run.check()?;
-            let predicates = Predicates::<P>::new(&points);
+            let predicates = Predicates::<P>::new(sampled.points());
             let units = part.len() as u64;
             let hits: Vec<_> = part
                 .map(|i| {
-                    let sample = first + i as u32;
+                    let sample = sampled.vertex([i as u32 % width, i as u32 / width]);
                     let mut area = coordinates.bounds([sample]);
                     area.high[2] = f32::INFINITY;
                     caster.nearest(&predicates, sample, &area)
@@ -67,29 +65,15 @@ pub fn ray_cast<P: Policy>(
     for part in parts {
         hits.extend(part?);
     }
-    Ok(ItemBuffer::of_items(view, mesh, samples, hits))
+    Ok(sampled.buffer(hits))
 }
 
-/// The boxes of all triangles that can hide something.
-pub(super) fn triangle_tree(question: &LineQuestion, coordinates: &ViewCoordinates) -> BoxTree {
-    let triangles = question.mesh.triangles();
-    let boxes = map_indexed(triangles.len(), |i| {
-        if question.facing[i].is_zero() { Bounds::EMPTY } else { coordinates.bounds(triangles[i]) }
-    });
-    BoxTree::new(boxes)
-}
-
-struct Caster<'a, 'q> {
-    question: &'a LineQuestion<'q>,
+struct Caster<'a> {
+    sampled: &'a Sampled<'a>,
     tree: BoxTree,
 }
 
-impl Caster<'_, '_> {
-    fn triangle(&self, triangle: u32) -> ([u32; 3], Sign) {
-        let corners = self.question.mesh.triangles()[triangle as usize];
-        (corners, self.question.facing[triangle as usize])
-    }
-
+impl Caster<'_> {
     /// The triangle that the ray through a sample meets first.
     fn nearest<P: Policy>(
         &self,
@@ -99,17 +83,17 @@ impl Caster<'_, '_> {
     ) -> Option<u32> {
         let mut best: Option<u32> = None;
         self.tree.in_front(area, |triangle| {
-            let (corners, facing) = self.triangle(triangle);
+            let (corners, facing) = self.sampled.triangle(triangle);
             if !covers(predicates, corners, facing, sample)
                 || !predicates.meets_in_front(sample, corners, facing)
             {
                 return;
             }
             let wins = best.is_none_or(|best| {
-                let order = predicates.nearer(sample, (corners, facing), self.triangle(best));
+                let other = self.sampled.triangle(best);
+                let order = predicates.nearer(sample, (corners, facing), other);
                 order == Sign::Positive
-                    || (order.is_zero()
-                        && tie_order(self.question.mesh, triangle, best) == Ordering::Less)
+                    || (order.is_zero() && self.sampled.precedes(triangle, best))
             });
             if wins {
                 best = Some(triangle);

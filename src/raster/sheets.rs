@@ -13,7 +13,6 @@
 //! another method could have got wrong in the same way.
 
 use super::BoxTree;
-use super::ray_cast::triangle_tree;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
@@ -50,7 +49,7 @@ impl<'a, 'q, P: Policy> SheetCounter<'a, 'q, P> {
 
     /// The tree that counters of this question search. O(n log n).
     pub fn tree(question: &LineQuestion) -> BoxTree {
-        triangle_tree(question, question.coordinates)
+        BoxTree::of_triangles(question, question.coordinates)
     }
 
     /// What the predicates counted so far.

@@ -53,15 +53,26 @@ pub(crate) fn cuboid(low: DVec3, high: DVec3) -> Vec<Triangle> {
     quads.into_iter().flat_map(halves).map(|corners| corners.map(corner)).collect()
 }
 
-/// Slices of a disc of integer corners around (1, y, 1): its vertices and
-/// some of its edges go through samples where the grid allows it.
+/// Two edge-on triangles that make the picture from the front eight units
+/// wide and high. With 34 pixels a pixel is a quarter, and samples lie at odd
+/// multiples of an eighth, exactly.
+pub(crate) fn margin() -> Vec<Triangle> {
+    let corner = |x: f64, y: f64| DVec3::new(x, y, x);
+    vec![[corner(0.0, 9.0), corner(8.0, 9.0), corner(8.0, 9.5)]]
+}
+
+/// The pixels along a picture with vertices on samples.
+pub(crate) const ON_SAMPLES: u32 = 34;
+
+/// Slices of a disc whose corners lie on samples, see [`margin`].
 pub(crate) fn fan(count: u32) -> Vec<Triangle> {
+    let snap = |x: f64| (x * 14.0).round() / 4.0 + 4.125;
     let corner = |i: u32| {
         let angle = f64::from(i % count) / f64::from(count) * std::f64::consts::TAU;
-        DVec3::new((angle.cos() * 8.0).round() + 1.0, 2.0, (angle.sin() * 8.0).round() + 1.0)
+        DVec3::new(snap(angle.cos()), 2.0, snap(angle.sin()))
     };
-    let middle = DVec3::new(1.0, 2.0, 1.0);
-    (0..count).map(|i| [middle, corner(i), corner(i + 1)]).collect()
+    let middle = DVec3::new(4.125, 2.0, 4.125);
+    (0..count).map(|i| [middle, corner(i), corner(i + 1)]).chain(margin()).collect()
 }
 
 /// Named scenes, hard ones among them.
@@ -90,6 +101,11 @@ pub(crate) fn scenes() -> Vec<(&'static str, Vec<Triangle>)> {
         ("slivers", slivers),
         ("a soup", soup(11, 60, None)),
         ("a soup on a grid", soup(5, 60, Some(5.0))),
+        ("a soup with vertices on samples", {
+            let shift = DVec3::splat(0.125);
+            let soup = soup(8, 60, Some(8.0)).into_iter();
+            soup.map(|triangle| triangle.map(|p| p + shift)).chain(margin()).collect()
+        }),
         ("a soup in one plane", {
             let flat = |point: DVec3| DVec3::new(point.x, 3.0, point.z);
             soup(3, 20, Some(7.0)).into_iter().map(|triangle| triangle.map(flat)).collect()

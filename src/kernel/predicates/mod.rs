@@ -26,19 +26,19 @@
 
 mod carrier;
 mod collinear;
+mod estimate;
 mod eye;
 mod fold;
 mod formula;
 mod ladder;
-mod lattice;
 mod points;
 mod ray;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point};
 pub use collinear::are_collinear;
+pub use estimate::Estimate;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
 pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough};
-pub use lattice::{Form, Lattice};
 pub use points::Points;

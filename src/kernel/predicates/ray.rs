@@ -33,9 +33,9 @@ impl Formula for Nearer {
 }
 
 /// `N(x) F + S(x) N(E)` with the near plane's functional N.
-struct InFront {
-    triangle: [u32; 3],
-    through: u32,
+pub(super) struct InFront {
+    pub(super) triangle: [u32; 3],
+    pub(super) through: u32,
 }
 
 impl Formula for InFront {

@@ -13,32 +13,36 @@
 //! change places inside a group. The repair cuts at the crossings too.
 //!
 //! A span is a set of whole samples. Its ends, and where two spans cross,
-//! are proposed by affine forms; samples at which a form is not certain are
-//! decided one by one by the exact sign ([`Form`]). Where a side of a
-//! triangle runs along the row, the samples covered need not be neighbours,
-//! for each is rounded on its own; the triangle then has several spans.
+//! are proposed by forms and decided by signs, see [`runs`].
 //!
 //! O(rows x spans x depth of the groups), after O(triangles + samples).
 
-mod faces;
 mod ordered;
 mod resolve;
+mod runs;
 
 pub use ordered::c_buffer;
 
-use super::{ItemBuffer, Samples};
-use crate::kernel::predicates::{Policy, Predicates};
+use super::ItemBuffer;
+use super::samples::{Face, Judge, Sampled, Samples};
+use crate::kernel::predicates::Policy;
 use crate::model::View;
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::view::LineQuestion;
-use faces::{Faces, Rows, Span};
 use resolve::Resolver;
-
-#[cfg(doc)]
-use crate::kernel::predicates::Form;
+use runs::run_of;
+use std::ops::Range;
 
 /// Rows per task.
 const PART: usize = 8;
+
+/// Consecutive samples of a row that a face covers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Span {
+    /// Index of the face.
+    face: u32,
+    columns: Range<u32>,
+}
 
 /// Where the spans of a group are compared.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -82,45 +86,66 @@ pub fn span_buffer_with<P: Policy>(
     compare: Compare,
     run: &Run,
 ) -> Result<ItemBuffer, Cancelled> {
-    let faces = Faces::new::<P>(view, question, samples, run)?;
-    let rows = faces.rows(0..faces.len() as u32);
-    let parts = run.stage("span-buffer", u64::from(samples.height()), || {
-        map_chunks(samples.height() as usize, PART, |part| {
+    let sampled = Sampled::new(view, question, samples);
+    let faces = sampled.faces::<P>(run)?;
+    let rows = faces_of_rows(&faces, 0..faces.len() as u32, samples.height());
+    let items = draw_rows(samples, run, |part, items| {
+        let mut resolver = Resolver::new(&faces, Judge::<P>::new(&sampled), compare);
+        for (row, line) in part.zip(items.chunks_exact_mut(samples.width() as usize)) {
+            draw_row(&faces, &rows[row], &mut resolver, row as u32, line);
+        }
+        run.merge(&resolver.judge().counters());
+        run.count("span-cuts-at-crossings", resolver.crossings());
+    })?;
+    Ok(sampled.buffer(items))
+}
+
+/// Which faces may be met in which row, each row in the order of `order`.
+fn faces_of_rows(faces: &[Face], order: impl Iterator<Item = u32>, height: u32) -> Vec<Vec<u32>> {
+    let mut rows = vec![Vec::new(); height as usize];
+    for face in order {
+        let [first, last] = faces[face as usize].footprint.rows;
+        for row in &mut rows[first as usize..=last as usize] {
+            row.push(face);
+        }
+    }
+    rows
+}
+
+/// Lets `draw` fill the rows of an image, part by part.
+fn draw_rows(
+    samples: &Samples,
+    run: &Run,
+    draw: impl Fn(Range<usize>, &mut [Option<u32>]) + Sync + Send,
+) -> Result<Vec<Option<u32>>, Cancelled> {
+    let (width, height) = (samples.width() as usize, samples.height() as usize);
+    let parts = run.stage("span-buffer", height as u64, || {
+        map_chunks(height, PART, |part| {
             run.check()?;
-            let predicates = Predicates::<P>::new(faces.points());
-            let mut resolver = Resolver::new(&faces, &predicates, compare);
             let units = part.len() as u64;
-            let mut items = vec![None; part.len() * samples.width() as usize];
-            for (row, line) in part.zip(items.chunks_exact_mut(samples.width() as usize)) {
-                paint_row(&faces, &rows, &mut resolver, row as u32, line);
-            }
-            run.merge(&predicates.counters());
-            run.count("span-cuts-at-crossings", resolver.crossings());
+            let mut items = vec![None; part.len() * width];
+            draw(part, &mut items);
             run.advance(units);
             Ok(items)
         })
     });
-    let mut items = Vec::with_capacity(samples.width() as usize * samples.height() as usize);
-    for part in parts {
-        items.extend(part?);
-    }
-    Ok(ItemBuffer::of_items(view, question.mesh, samples, items))
+    let parts: Vec<_> = parts.into_iter().collect::<Result<_, _>>()?;
+    Ok(parts.concat())
 }
 
 /// Steps 1 to 3 for one row.
-fn paint_row<P: Policy>(
-    faces: &Faces,
-    rows: &Rows,
-    resolver: &mut Resolver<'_, '_, P>,
+fn draw_row<P: Policy>(
+    faces: &[Face],
+    met: &[u32],
+    resolver: &mut Resolver<'_, P>,
     row: u32,
     line: &mut [Option<u32>],
 ) {
-    let mut spans: Vec<Span> = Vec::new();
-    for &face in rows.of(row) {
-        faces.spans(resolver.predicates(), face, row, |columns| {
-            spans.push(Span { face, columns });
-        });
-    }
+    let span = |&face: &u32| {
+        let columns = run_of(resolver.judge(), &faces[face as usize], row);
+        (!columns.is_empty()).then_some(Span { face, columns })
+    };
+    let mut spans: Vec<Span> = met.iter().filter_map(span).collect();
     spans.sort_unstable_by_key(|span| (span.columns.start, span.face));
     let mut cuts: Vec<u32> =
         spans.iter().flat_map(|span| [span.columns.start, span.columns.end]).collect();
@@ -149,9 +174,9 @@ fn paint_row<P: Policy>(
 }
 
 /// Writes the samples of a span.
-fn write(faces: &Faces, line: &mut [Option<u32>], span: Option<Span>) {
+fn write(faces: &[Face], line: &mut [Option<u32>], span: Option<Span>) {
     if let Some(span) = span {
-        let triangle = faces.triangle(span.face);
+        let triangle = faces[span.face as usize].triangle;
         line[span.columns.start as usize..span.columns.end as usize].fill(Some(triangle));
     }
 }

@@ -5,16 +5,18 @@
 //! still free belongs to the face at hand. A row with nothing free is done,
 //! however many faces are left: that is what the order buys. It is an
 //! argument, for whoever has a tree or a list of priorities has it already;
-//! from an order that is wrong comes a picture that is wrong.
+//! from an order that is wrong comes a picture that is wrong, and where two
+//! faces are equally near at a sample, the first of them owns it.
 //!
 //! O(spans x log spans).
 
-use super::PART;
-use super::faces::{Faces, Rows};
-use crate::kernel::predicates::{Policy, Predicates};
+use super::runs::run_of;
+use super::{draw_rows, faces_of_rows};
+use crate::kernel::predicates::Policy;
 use crate::model::View;
-use crate::raster::{ItemBuffer, Samples};
-use crate::run::{Cancelled, Run, map_chunks};
+use crate::raster::ItemBuffer;
+use crate::raster::samples::{Face, Judge, Sampled, Samples};
+use crate::run::{Cancelled, Run};
 use crate::view::LineQuestion;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -30,6 +32,9 @@ impl Free {
 
     /// Takes what is free of some columns and hands it to `taken`.
     fn take(&mut self, columns: Range<u32>, mut taken: impl FnMut(Range<u32>)) {
+        if columns.is_empty() {
+            return;
+        }
         let before = self.0.range(..columns.start).next_back().map(|(&start, _)| start);
         let first = before.unwrap_or(columns.start);
         let meeting: Vec<Range<u32>> = self
@@ -65,53 +70,40 @@ pub fn c_buffer<P: Policy>(
     order: &[u32],
     run: &Run,
 ) -> Result<ItemBuffer, Cancelled> {
-    let faces = Faces::new::<P>(view, question, samples, run)?;
+    let sampled = Sampled::new(view, question, samples);
+    let faces = sampled.faces::<P>(run)?;
     let mut face_of = vec![None; question.mesh.triangles().len()];
-    for face in 0..faces.len() as u32 {
-        face_of[faces.triangle(face) as usize] = Some(face);
+    for (face, index) in faces.iter().zip(0..) {
+        face_of[face.triangle as usize] = Some(index);
     }
     let named = order.iter().filter_map(|&triangle| *face_of.get(triangle as usize)?);
-    let rows = faces.rows(named);
-    let width = samples.width();
-    let parts = run.stage("c-buffer", u64::from(samples.height()), || {
-        map_chunks(samples.height() as usize, PART, |part| {
-            run.check()?;
-            let predicates = Predicates::<P>::new(faces.points());
-            let units = part.len() as u64;
-            let mut items = vec![None; part.len() * width as usize];
-            for (row, line) in part.zip(items.chunks_exact_mut(width as usize)) {
-                fill_row(&faces, &rows, &predicates, row as u32, line);
-            }
-            run.merge(&predicates.counters());
-            run.advance(units);
-            Ok(items)
-        })
-    });
-    let mut items = Vec::with_capacity(width as usize * samples.height() as usize);
-    for part in parts {
-        items.extend(part?);
-    }
-    Ok(ItemBuffer::of_items(view, question.mesh, samples, items))
+    let rows = faces_of_rows(&faces, named, samples.height());
+    let items = draw_rows(samples, run, |part, items| {
+        let judge = Judge::<P>::new(&sampled);
+        for (row, line) in part.zip(items.chunks_exact_mut(samples.width() as usize)) {
+            draw_row(&faces, &rows[row], &judge, row as u32, line);
+        }
+        run.merge(&judge.counters());
+    })?;
+    Ok(sampled.buffer(items))
 }
 
 /// Gives each sample of a row to the first face that covers it.
-fn fill_row<P: Policy>(
-    faces: &Faces,
-    rows: &Rows,
-    predicates: &Predicates<'_, P>,
+fn draw_row<P: Policy>(
+    faces: &[Face],
+    met: &[u32],
+    judge: &Judge<'_, P>,
     row: u32,
     line: &mut [Option<u32>],
 ) {
     let mut free = Free::new(line.len() as u32);
-    for &face in rows.of(row) {
+    for &face in met {
         if free.0.is_empty() {
             return;
         }
-        let triangle = faces.triangle(face);
-        faces.spans(predicates, face, row, |columns| {
-            free.take(columns, |taken| {
-                line[taken.start as usize..taken.end as usize].fill(Some(triangle));
-            });
+        let face = &faces[face as usize];
+        free.take(run_of(judge, face, row), |taken| {
+            line[taken.start as usize..taken.end as usize].fill(Some(face.triangle));
         });
     }
 }
