@@ -2,8 +2,8 @@
 //! reads it, so a method more is a line more here.
 
 use super::{
-    ItemBuffer, Samples, ray_cast, scanline, span_buffer, spanning, warnock, warnock_vertex,
-    z_buffer,
+    ItemBuffer, Samples, a_buffer, ray_cast, scanline, span_buffer, spanning, warnock,
+    warnock_vertex, z_buffer,
 };
 use crate::kernel::predicates::Policy;
 use crate::model::View;
@@ -18,6 +18,7 @@ pub fn methods<P: Policy>() -> Vec<(&'static str, Method)> {
     vec![
         ("ray-cast", ray_cast::<P>),
         ("z-buffer", z_buffer::<P>),
+        ("a-buffer", a_buffer::<P>),
         ("scanline", scanline::<P>),
         ("spanning", spanning::<P>),
         ("span-buffer", span_buffer::<P>),

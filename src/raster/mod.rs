@@ -7,6 +7,7 @@
 //! methods share what a sample is and sees ([`samples`]) and nothing else;
 //! none knows another, and all give the same [`ItemBuffer`], bit by bit.
 
+mod a_buffer;
 mod box_tree;
 mod item_buffer;
 mod methods;
@@ -20,6 +21,10 @@ mod tests;
 mod warnock;
 mod z_buffer;
 
+pub use a_buffer::{
+    ABufferOptions, Division, Fragment, Fragments, MaskTable, Masks, Paint, Shading, a_buffer,
+    coverage, preview, visible_fragments,
+};
 pub use box_tree::BoxTree;
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};

@@ -4,6 +4,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod masks;
 mod models;
 mod scenes;
 mod spans;
