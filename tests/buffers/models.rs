@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, Mesh, StandardView, import};
-use umriss::raster::span_buffer;
+use umriss::raster::{a_buffer, span_buffer};
 use umriss::run::Run;
 
 /// Models that are read in every run.
@@ -49,7 +49,7 @@ fn views(bounds: (DVec3, DVec3)) -> Vec<Camera> {
 }
 
 #[test]
-fn models_have_the_same_picture_by_spans_and_by_rays() {
+fn models_have_the_same_picture_by_spans_by_masks_and_by_rays() {
     let Some(models) = models() else {
         return;
     };
@@ -63,20 +63,21 @@ fn models_have_the_same_picture_by_spans_and_by_rays() {
                 ask(&mesh, &camera, size, |view, question, samples| {
                     let start = Instant::now();
                     let judge = rays(view, question, samples);
-                    let judged = start.elapsed();
-                    let run = Run::default();
-                    let start = Instant::now();
-                    let buffer = span_buffer::<Exact>(view, question, samples, &run).unwrap();
-                    let spanned = start.elapsed();
+                    let mut times = vec![start.elapsed()];
+                    for method in [span_buffer::<Exact>, a_buffer::<Exact>] {
+                        let start = Instant::now();
+                        let buffer = method(view, question, samples, &Run::default()).unwrap();
+                        times.push(start.elapsed());
+                        assert_eq!(differences(&judge, &buffer), 0, "{}", file.display());
+                    }
                     println!(
-                        "{:28} {:6} triangles {size:3}: rays {:6.0?} spans {:6.0?} asked exactly {}",
+                        "{:28} {:6} triangles, {size:3} pixels: rays {:5.0?}, spans {:5.0?}, masks {:5.0?}",
                         file.file_stem().unwrap().to_string_lossy(),
                         mesh.triangles().len(),
-                        judged,
-                        spanned,
-                        run.counters().iter().map(|(_, n)| n).sum::<u64>(),
+                        times[0],
+                        times[1],
+                        times[2],
                     );
-                    assert_eq!(differences(&judge, &buffer), 0, "{}", file.display());
                 });
             }
         }
