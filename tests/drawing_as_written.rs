@@ -274,7 +274,7 @@ fn mistakes_of_an_exporter_are_found() {
     let turned =
         seen.svg.replace("<path ", &format!("<path transform='translate(0 {page}) scale(1 -1)' "));
     let moved = seen.svg.replace("<path ", "<path transform='translate(1.5 0)' ");
-    let start = seen.svg.find("d=\"").unwrap() + 3;
+    let start = seen.svg.find(" d=\"").unwrap() + 4;
     let end = start + seen.svg[start..].find('"').unwrap();
     let strokes = &seen.svg[start..end];
     let second = strokes[1..].find('M').unwrap() + 1;

@@ -121,7 +121,7 @@ fn a_made_up_violation_is_found() {
         ("raster/z_buffer.rs", "use super::ray_cast;\n"),
         ("raster/z_buffer.rs", "use super::Compare;\n"),
         ("raster/span_buffer/resolve.rs", "use crate::raster::z_buffer;\n"),
-        ("raster/a_buffer/mod.rs", "use super::super::span_buffer::span_buffer;\n"),
+        ("raster/a_buffer/mod.rs", "use super::span_buffer::span_buffer;\n"),
         ("raster/samples/face.rs", "use crate::raster::a_buffer;\n"),
         ("fill/polygon.rs", "use crate::raster::ItemBuffer;\n"),
         ("raster/warnock/mod.rs", "use crate::visibility::reduce;\n"),

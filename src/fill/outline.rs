@@ -71,11 +71,11 @@ impl Outline {
         }
         let (mut left, mut right) = (curve, curve);
         // Each round of middles gives one point of either half.
-        for i in 1..N {
+        for (i, point) in left.iter_mut().enumerate().skip(1) {
             for j in 0..N - i {
                 right[j] = (right[j] + right[j + 1]) * 0.5;
             }
-            left[i] = right[0];
+            *point = right[0];
         }
         self.halve(left, depth - 1);
         self.halve(right, depth - 1);

@@ -1,8 +1,6 @@
 //! Real models, where `UMRISS_MODELS` names a folder of them. With
 //! `UMRISS_LONG=1` all of them up to 100 000 triangles, else a few small ones.
 
-#![allow(clippy::print_stdout)]
-
 use crate::scenes::*;
 use glam::DVec3;
 use std::path::PathBuf;

@@ -1,5 +1,8 @@
-//! How triangles look in a preview: a lamp at the eye, the colours of the
-//! model, opacity, and a pattern.
+//! How triangles look in a preview: a lamp over the viewer's left shoulder,
+//! the colours of the model, opacity, and a pattern. Either side of a
+//! triangle is lit alike, for meshes need not say which is out. (A lamp at
+//! the eye itself would make the three sides of a cube in an isometric view
+//! one grey.)
 
 use crate::fill::{Anchor, Pattern};
 use crate::kernel::predicates::Eye;
@@ -22,6 +25,10 @@ const CLAY: [f32; 3] = [0.82, 0.83, 0.85];
 
 /// Light on surfaces that the lamp only grazes.
 const AMBIENT: f32 = 0.25;
+
+/// How far the lamp is to the left of and above the eye, against its
+/// distance.
+const SHOULDER: [f64; 2] = [0.45, 0.7];
 
 /// How much darker the marks of a pattern are.
 const MARK: f32 = 0.55;
@@ -87,7 +94,8 @@ impl<'a> Shading<'a> {
         Paint { colour: own.unwrap_or(CLAY).map(|c| c * light), opacity: self.opacity }
     }
 
-    /// The cosine between a triangle's normal and the way to the eye.
+    /// The cosine between a triangle's normal, on the side of the eye, and
+    /// the way to the lamp.
     fn facing(&self, triangle: u32) -> f32 {
         let mesh = self.question.mesh;
         let [a, b, c] =
@@ -97,7 +105,11 @@ impl<'a> Shading<'a> {
             Eye::At(eye) => eye - (a + b + c) / 3.0,
             Eye::Towards(direction) => direction,
         };
-        let cosine = normal.dot(towards).abs() / (normal.length() * towards.length());
-        if cosine.is_finite() { cosine as f32 } else { 0.0 }
+        let frame = &self.view.frame;
+        let [left, above] = SHOULDER;
+        let lamp = towards.normalize() + frame.up * above - frame.right * left;
+        let side = normal.dot(towards).signum();
+        let cosine = side * normal.dot(lamp) / (normal.length() * lamp.length());
+        if cosine.is_finite() { cosine.max(0.0) as f32 } else { 0.0 }
     }
 }

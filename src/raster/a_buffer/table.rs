@@ -95,7 +95,7 @@ impl MaskTable {
         if place < 0.0 {
             return 0;
         }
-        if !(place < DISTANCES as f64) {
+        if place.is_nan() || DISTANCES as f64 <= place {
             // Wholly inside; or no edge at all, which cuts off nothing.
             return self.division.full();
         }
