@@ -16,7 +16,8 @@
 //! - [`model`]: files, meshes, scenes, feature edges.
 //! - [`view`]: the contract between models, methods and drawings.
 //! - [`visibility`]: the object-space methods (Roberts, Appel).
-//! - [`raster`]: the image-space references (ray casting).
+//! - [`raster`]: the image-space references (ray casting, z-buffer, scan
+//!   lines, Warnock's windows).
 //! - [`drawing`]: pages, layers, dashes, polylines.
 //! - [`export`]: SVG, HPGL, JSON, PNG.
 //! - [`verify`]: every method against the others.

@@ -34,21 +34,16 @@ const STRANGERS: [&str; 2] = ["visibility", "raster"];
 const PARTS: [(&str, &[&[&str]]); 3] = [
     ("kernel", &[&["numbers"], &["predicates"]]),
     ("visibility", &[&["appel", "roberts"], &["reduce"], &["visible_lines"]]),
-    ("raster", &[&["box_tree", "item_buffer", "samples"], RASTER_METHODS, &["methods"]]),
-];
-
-/// Image-space methods, and names under which their room shows what they
-/// have: none knows another. All may know what a sample is.
-#[rustfmt::skip]
-const RASTER_METHODS: &[&str] = &[
-    "a_buffer", "ABufferOptions", "Division", "Fragment", "Fragments", "MaskTable", "Masks",
-    "Paint", "Shading", "coverage", "preview", "visible_fragments",
-    "ray_cast",
-    "scanline", "spanning",
-    "sheets", "Probe", "SheetCounter",
-    "span_buffer", "Compare", "c_buffer", "span_buffer_with",
-    "warnock", "Stop", "Subdivision", "Window", "warnock_vertex", "warnock_windows",
-    "z_buffer",
+    (
+        "raster",
+        &[
+            &["box_tree", "item_buffer"],
+            &["samples"],
+            // No image-space method knows another.
+            &["ray_cast", "z_buffer", "a_buffer", "scanline", "span_buffer", "warnock", "sheets"],
+            &["methods", "picture"],
+        ],
+    ),
 ];
 
 /// All that readers of files may know of the room around them.
@@ -124,7 +119,12 @@ fn a_made_up_violation_is_found() {
         ("raster/a_buffer/mod.rs", "use super::span_buffer::span_buffer;\n"),
         ("raster/samples/face.rs", "use crate::raster::a_buffer;\n"),
         ("fill/polygon.rs", "use crate::raster::ItemBuffer;\n"),
-        ("raster/warnock/mod.rs", "use crate::visibility::reduce;\n"),
+        ("raster/scanline/edges.rs", "use super::super::warnock::warnock;\n"),
+        ("raster/z_buffer.rs", "use super::spanning;\n"),
+        ("raster/warnock/window.rs", "use crate::raster::SheetCounter;\n"),
+        ("raster/samples/face.rs", "use crate::raster::methods;\n"),
+        ("raster/a_buffer/mod.rs", "use crate::visibility::VisibleLines;\n"),
+        ("visibility/reduce/mod.rs", "use crate::raster::Samples;\n"),
     ];
     for (file, text) in upwards {
         let found: Vec<_> = paths_in(file, text).iter().filter_map(violation).collect();
@@ -135,6 +135,8 @@ fn a_made_up_violation_is_found() {
         ("kernel/predicates/mod.rs", "use crate::kernel::numbers::Sign;\nuse super::Points;\n"),
         ("verify/mod.rs", "use crate::{\n    visibility::appel,\n    raster::ray_cast,\n};\n"),
         ("visibility/appel/walker.rs", "use super::count::Count;\n"),
+        ("raster/scanline/spanning.rs", "use super::Scene;\nuse crate::raster::ItemBuffer;\n"),
+        ("raster/z_buffer.rs", "use super::samples::Face;\nuse super::Samples;\n"),
         ("model/import/gltf/mod.rs", "use super::super::{Soup, Unit};\nuse super::error::Fault;\n"),
     ];
     for (file, text) in downwards {
@@ -243,11 +245,28 @@ fn violation(used: &Use) -> Option<String> {
         }
         (Some(_), Some(_)) => {
             let inner = own.get(1).copied().unwrap_or_default();
-            path.get(1).is_some_and(|name| part_is_above(own[0], inner, name))
+            // Readers of files are told by name what they may know.
+            path.get(1).is_some_and(|name| {
+                part_is_above(own[0], inner, name)
+                    || (inner != "import" && part_is_above(own[0], inner, &part_of(own[0], name)))
+            })
         }
         _ => false,
     };
     wrong.then(|| format!("{file}:{line}: {} may not use {}", own.join("/"), path.join("::")))
+}
+
+/// The part of a room that a name behind its door comes from; the name
+/// itself if the door does not say.
+fn part_of(room: &str, name: &str) -> String {
+    let door = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(room).join("mod.rs");
+    let text = fs::read_to_string(door).unwrap_or_default();
+    let part = text.split(';').find_map(|statement| {
+        let (part, names) = statement.trim().strip_prefix("pub use ")?.split_once("::")?;
+        let mut words = names.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        words.any(|word| word == name).then(|| part.to_owned())
+    });
+    part.unwrap_or_else(|| name.to_owned())
 }
 
 /// Whether, within a room, `target` is a part that `own` may not use.

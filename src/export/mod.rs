@@ -10,11 +10,14 @@
 //! | SVG | [`Drawing`](crate::drawing::Drawing) | `to_svg` | `svg` |
 //! | HPGL | [`Drawing`](crate::drawing::Drawing) | [`to_hpgl`] | |
 //! | PNG | the SVG | `to_png` | `png` |
+//! | PNG | pixels | `pixels_to_png` | `png` |
+//! | SVG | boxes of pixels | [`boxes_to_svg`] | |
 //! | JSON | [`VisibleLines`](crate::view::VisibleLines) | `to_json`, `read_drawing` | `json` |
 //!
 //! [`OutputFormat`] is the table of formats by extension and by name, and
 //! [`write_file`] makes files appear whole or not at all.
 
+mod boxes;
 #[cfg(feature = "svg")]
 mod decimal;
 mod error;
@@ -30,6 +33,7 @@ mod png;
 #[cfg(feature = "svg")]
 mod svg;
 
+pub use boxes::boxes_to_svg;
 pub use error::ExportError;
 pub use file::write_file;
 pub use format::OutputFormat;
@@ -39,6 +43,6 @@ pub use json::to_json;
 #[cfg(feature = "json")]
 pub use json_reader::read_drawing;
 #[cfg(feature = "png")]
-pub use png::{PREVIEW_WIDTH, to_png};
+pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
 #[cfg(feature = "svg")]
 pub use svg::{SvgOptions, to_svg};

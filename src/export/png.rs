@@ -4,7 +4,8 @@
 //! and proves that it can be read.
 
 use super::ExportError;
-use resvg::tiny_skia::{Color, Pixmap, Transform};
+use crate::model::Color as PixelColor;
+use resvg::tiny_skia::{Color, Pixmap, PremultipliedColorU8, Transform};
 use resvg::usvg::{Options, Tree};
 
 /// Width of a preview in pixels unless another is asked for.
@@ -28,4 +29,29 @@ pub fn to_png(svg: &str, width: u32) -> Result<Vec<u8>, ExportError> {
     picture.fill(Color::WHITE);
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut picture.as_mut());
     picture.encode_png().map_err(|error| broken(&error))
+}
+
+/// An image as a PNG file, given its pixels row by row from the top.
+///
+/// # Errors
+///
+/// If the size is out of range or there are not as many pixels.
+pub fn pixels_to_png(
+    [width, height]: [u32; 2],
+    pixels: &[PixelColor],
+) -> Result<Vec<u8>, ExportError> {
+    let refuse = || ExportError::PictureSize { width, height };
+    if LONGEST < width
+        || LONGEST < height
+        || pixels.len() as u64 != u64::from(width) * u64::from(height)
+    {
+        return Err(refuse());
+    }
+    let mut picture = Pixmap::new(width, height).ok_or_else(refuse)?;
+    for (pixel, PixelColor([red, green, blue])) in picture.pixels_mut().iter_mut().zip(pixels) {
+        // An opaque colour is premultiplied as it is.
+        *pixel =
+            PremultipliedColorU8::from_rgba(*red, *green, *blue, u8::MAX).ok_or_else(refuse)?;
+    }
+    picture.encode_png().map_err(|error| ExportError::Picture(error.to_string()))
 }

@@ -11,6 +11,7 @@ mod a_buffer;
 mod box_tree;
 mod item_buffer;
 mod methods;
+mod picture;
 mod ray_cast;
 pub mod samples;
 mod scanline;
@@ -28,6 +29,7 @@ pub use a_buffer::{
 pub use box_tree::BoxTree;
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
+pub use picture::Show;
 pub use ray_cast::ray_cast;
 pub use samples::Samples;
 pub use scanline::{scanline, spanning};

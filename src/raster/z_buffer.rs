@@ -36,8 +36,8 @@ pub fn z_buffer<P: Policy>(
 ) -> Result<ItemBuffer, Cancelled> {
     let sampled = Sampled::new(view, question, samples);
     let height = samples.height() as usize;
+    let faces = sampled.faces::<P>(run)?;
     let bands = run.stage("z-buffer", height as u64, || {
-        let faces = sampled.faces::<P>(run)?;
         let bands = map_chunks(height, BAND, |rows| {
             run.check()?;
             let mut band = Band::new(Judge::<P>::new(&sampled), samples.width(), &rows);

@@ -293,7 +293,7 @@ fn defects_are_told() {
 fn help_has_examples_for_every_command() {
     let folder = Folder::with_cube();
     assert!(folder.succeeds("--help").output.contains("draw"));
-    for command in ["draw", "info", "verify"] {
+    for command in ["draw", "info", "raster", "verify"] {
         let help = folder.succeeds(&format!("{command} --help")).output;
         assert!(help.contains(&format!("Examples:\n  umriss {command}")), "{command}");
     }
@@ -313,6 +313,64 @@ fn a_drawing_is_proved_and_the_differences_of_a_broken_one_are_shown() {
     let pictures = ["clean.png", "broken.png"].map(|name| folder.bytes(name));
     assert!(pictures.iter().all(|bytes| bytes.starts_with(b"\x89PNG")));
     assert!(pictures[0] != pictures[1]);
+}
+
+#[test]
+fn every_method_makes_the_same_image() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(12));
+    let methods = umriss::raster::methods::<umriss::kernel::predicates::Exact>();
+    for show in ["face", "depth", "shade"] {
+        let images: Vec<_> = methods
+            .iter()
+            .map(|(method, _)| {
+                let flags = format!("--method {method} --show {show} --size 65x48 -o a.png");
+                folder.succeeds(&format!("raster wave.obj cube.obj {flags}"));
+                folder.bytes("a.png")
+            })
+            .collect();
+        assert!(images[0].starts_with(b"\x89PNG"));
+        // Width and height of the image, as PNG has them.
+        assert_eq!(images[0][16..24], [0, 0, 0, 65, 0, 0, 0, 48]);
+        assert!(images.iter().all(|image| *image == images[0]), "{show}");
+    }
+}
+
+#[test]
+fn the_windows_of_both_subdivisions_are_drawn() {
+    let folder = Folder::with_cube();
+    for method in ["warnock", "warnock-vertex"] {
+        let flags = format!("--method {method} --show splits --size 64x64");
+        folder.succeeds(&format!("raster cube.obj {flags} -o {method}.svg"));
+        folder.succeeds(&format!("raster cube.obj {flags} -o {method}.png"));
+        let svg = folder.text(&format!("{method}.svg"));
+        // Boxes of the sizes of windows fill the image exactly.
+        let boxes = svg.split("d=\"").skip(1).flat_map(|path| {
+            let path = path.split('"').next().unwrap();
+            path.split('M').skip(1).map(|part| {
+                let number = |from: char, to: char| -> u32 {
+                    let part = part.split(from).nth(1).unwrap();
+                    part.split(to).next().unwrap().parse().unwrap()
+                };
+                number('h', 'v') * number('v', 'h')
+            })
+        });
+        assert_eq!(boxes.sum::<u32>(), 64 * 64, "{method}");
+        assert!(folder.bytes(&format!("{method}.png")).starts_with(b"\x89PNG"));
+    }
+    assert!(folder.text("warnock.svg") != folder.text("warnock-vertex.svg"));
+}
+
+#[test]
+fn every_pair_of_methods_is_compared_at_every_sample() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(12));
+    let flags = "--all --size 33x32 --picture clean.png";
+    let told = folder.succeeds(&format!("verify wave.obj cube.obj {flags}")).output;
+    let row = "ray-cast        z-buffer              1056          0";
+    assert!(told.lines().any(|line| line == row), "{told}");
+    let pairs = told.lines().filter(|line| line.ends_with("      1056          0"));
+    assert!(pairs.count() >= 15, "{told}");
 }
 
 #[test]

@@ -33,6 +33,11 @@ fn command_lines_that_make_no_sense_end_with_two() {
             "draw cube.obj -o a.svg --method painter",
             "--method painter: this build has no such method, expected appel or roberts\n",
         ),
+        (
+            "raster cube.obj -o a.svg --show splits",
+            "--show splits: z-buffer cuts no windows, expected --method warnock or warnock-vertex\n",
+        ),
+        ("raster cube.obj -o a.svg", "--output: only splits are drawn as SVG, expected a PNG\n"),
         ("draw cube.obj -o a.svg -o a.svg", "--output a.svg is given twice\n"),
         ("draw cube.obj -o -", "--output - needs --format to say what to write\n"),
         ("draw - - -o a.svg", "- is given twice, but standard input can be read only once\n"),

@@ -24,6 +24,9 @@ mod page_flags;
 #[cfg(feature = "png")]
 mod picture;
 mod progress;
+#[cfg(feature = "png")]
+mod raster;
+mod sample_grid;
 mod session;
 mod verify;
 
@@ -48,6 +51,8 @@ struct Cli {
 enum Command {
     Draw(Box<draw::Draw>),
     Info(Box<info::Info>),
+    #[cfg(feature = "png")]
+    Raster(Box<raster::Raster>),
     Verify(Box<verify::Verify>),
 }
 
@@ -56,6 +61,8 @@ fn main() -> ExitCode {
         Ok(cli) => match cli.command {
             Command::Draw(draw) => draw.run(),
             Command::Info(info) => info.run(),
+            #[cfg(feature = "png")]
+            Command::Raster(raster) => raster.run(),
             Command::Verify(verify) => verify.run(),
         },
         Err(error) if !error.use_stderr() => print_help(&error),

@@ -197,9 +197,10 @@ impl Samples {
         Footprint { columns: [0, self.width - 1], rows: [0, self.height - 1] }
     }
 
-    /// Samples around the image of the convex hull of vertices, at least one
-    /// more to each side than may lie in it, as far as the grid reaches; all
-    /// where a vertex has no image. Rounded outward.
+    /// Samples around the image of a triangle, as far as the grid reaches:
+    /// at least one column more to each side than may see it, so that rows
+    /// begin and end outside. All where a corner has no image. Rounded
+    /// outward.
     pub(in crate::raster) fn footprint(
         &self,
         coordinates: &ViewCoordinates,
@@ -208,11 +209,12 @@ impl Samples {
         let Some((places, slack)) = self.places(coordinates, corners) else {
             return Some(self.all());
         };
-        let range = |axis: usize, count: u32| {
+        let range = |axis: usize, slack: f64, count: u32| {
             let [a, b, c] = places.map(|place| place[axis]);
             indices(a.min(b).min(c) - slack, a.max(b).max(c) + slack, count)
         };
-        Some(Footprint { columns: range(0, self.width)?, rows: range(1, self.height)? })
+        let columns = range(0, slack + 1.0, self.width)?;
+        Some(Footprint { columns, rows: range(1, slack, self.height)? })
     }
 
     /// Rows that the edges `ab, bc, ca` of a triangle may reach, rounded
@@ -233,7 +235,7 @@ impl Samples {
     }
 
     /// Where the images of a triangle's corners lie in units of columns and
-    /// rows, and how far that may be off, one whole sample added.
+    /// rows, and how far that may be off.
     pub(super) fn places(
         &self,
         coordinates: &ViewCoordinates,
@@ -251,7 +253,7 @@ impl Samples {
             // more than these lines round.
             let size = (image.abs() + self.corner.abs()).max_element() / finest;
             let error = coordinates.image_slack(point) / finest + self.drift;
-            slack = slack.max(error + size * f64::powi(2.0, -40) + 1.001);
+            slack = slack.max(error + size * f64::powi(2.0, -40) + 1e-3);
             if !(place.is_finite() && slack.is_finite() && (depth > 0.0 || !self.perspective)) {
                 return None;
             }

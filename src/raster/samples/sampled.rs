@@ -90,12 +90,15 @@ impl<'a> Sampled<'a> {
     ///
     /// If the run is cancelled.
     pub fn faces<P: Policy>(&self, run: &Run) -> Result<Vec<Face>, Cancelled> {
-        let parts = map_chunks(self.question.mesh.triangles().len(), PART, |part| {
-            run.check()?;
-            let judge = Judge::<P>::new(self);
-            let faces: Vec<Face> = part.filter_map(|i| judge.face(i as u32)).collect();
-            run.merge(&judge.counters());
-            Ok(faces)
+        let count = self.question.mesh.triangles().len();
+        let parts = run.stage("faces", count as u64, || {
+            map_chunks(count, PART, |part| {
+                run.check()?;
+                let judge = Judge::<P>::new(self);
+                let faces: Vec<Face> = part.filter_map(|i| judge.face(i as u32)).collect();
+                run.merge(&judge.counters());
+                Ok(faces)
+            })
         });
         let mut faces = Vec::new();
         for part in parts {

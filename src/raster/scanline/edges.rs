@@ -101,6 +101,12 @@ impl ActiveEdge {
         row <= self.edge.rows[1]
     }
 
+    /// The first column behind the crossing, by floats.
+    pub(super) fn proposal(&self) -> u32 {
+        // Saturates on both sides; what is no number becomes zero.
+        self.crossing.ceil() as u32
+    }
+
     /// The samples of row `row` on the inner side. Called once for each row
     /// from the one where the edge was made active.
     pub(super) fn reach<P: Policy>(
@@ -112,8 +118,7 @@ impl ActiveEdge {
         let border = usize::from(self.edge.border);
         let form = &face.borders()[border].form;
         let holds = |column: u32| judge.is_in(face, border, [column, row], form.at([column, row]));
-        // Behind the last column or before the first a float says so too.
-        let proposal = self.crossing.ceil() as u32;
+        let proposal = self.proposal();
         self.crossing += self.step;
         let [first, last] = face.footprint.columns;
         match (holds(first), holds(last)) {

@@ -21,15 +21,15 @@ use super::{Line, Scene};
 use crate::kernel::predicates::Policy;
 use crate::raster::samples::Judge;
 
-/// An active edge and the column at which the sweep passes it.
+/// An active edge and the column at which the sweep comes to it.
 #[derive(Clone, Copy)]
 struct Passed {
     active: ActiveEdge,
-    /// The first column on the other side; none if the whole line lies on
-    /// one.
-    at: Option<u32>,
-    /// Whether the other side is the inner one.
-    opens: bool,
+    /// The first column on the other side; about where that would be if
+    /// the whole line lies on one side.
+    at: u32,
+    /// Whether the other side is the inner one; nothing if there is none.
+    opens: Option<bool>,
 }
 
 /// The two tables of a scan line.
@@ -37,6 +37,8 @@ pub(super) struct Spanning<'s, P: Policy> {
     scene: &'s Scene<'s>,
     judge: Judge<'s, P>,
     edges: Vec<Passed>,
+    /// Edges that were already on the line above: the first so many.
+    old: usize,
     /// For each face, how many of its edges have the sweep outside.
     outside: Vec<u8>,
     /// The faces with a zero there.
@@ -50,6 +52,7 @@ impl<'s, P: Policy> Line<'s, P> for Spanning<'s, P> {
             scene,
             judge: Judge::new(&scene.sampled),
             edges: Vec::new(),
+            old: 0,
             outside: vec![0; scene.faces.len()],
             inside: Vec::new(),
             cuts: 0,
@@ -66,10 +69,10 @@ impl<'s, P: Policy> Line<'s, P> for Spanning<'s, P> {
 
     fn enter<'e>(&mut self, edges: impl Iterator<Item = &'e Edge>, row: u32) {
         self.edges.retain(|edge| edge.active.reaches(row));
-        self.edges.extend(edges.map(|&edge| Passed {
-            active: ActiveEdge::new(edge, &self.scene.faces, row),
-            at: None,
-            opens: false,
+        self.old = self.edges.len();
+        self.edges.extend(edges.map(|&edge| {
+            let active = ActiveEdge::new(edge, &self.scene.faces, row);
+            Passed { active, at: 0, opens: None }
         }));
     }
 
@@ -80,16 +83,19 @@ impl<'s, P: Policy> Line<'s, P> for Spanning<'s, P> {
         items.resize(begin + width as usize, None);
         let line = &mut items[begin..];
         let mut column = 0;
-        let mut next = 0;
-        while column < width {
-            while let Some(edge) = self.edges.get(next).filter(|edge| edge.at == Some(column)) {
-                let (face, opens) = (edge.active.edge.face, edge.opens);
-                self.pass(face, opens);
-                next += 1;
+        for index in 0..self.edges.len() {
+            let Passed { active, at, opens } = self.edges[index];
+            let Some(opens) = opens else {
+                continue;
+            };
+            if column < at {
+                self.span([column, at - 1], row, line);
+                column = at;
             }
-            let until = self.edges.get(next).and_then(|edge| edge.at).unwrap_or(width).min(width);
-            self.span([column, until - 1], row, line);
-            column = until;
+            self.pass(active.edge.face, opens);
+        }
+        if column < width {
+            self.span([column, width - 1], row, line);
         }
         for edge in &self.edges {
             self.outside[edge.active.edge.face as usize] = 0;
@@ -104,11 +110,12 @@ impl<P: Policy> Spanning<'_, P> {
     fn cross(&mut self, row: u32) {
         for edge in &mut self.edges {
             let face = edge.active.edge.face as usize;
+            let proposal = edge.active.proposal();
             let reach = edge.active.reach(&self.judge, &self.scene.faces[face], row);
             (edge.at, edge.opens) = match reach {
-                Reach::All | Reach::None => (None, false),
-                Reach::From(column) => (Some(column), true),
-                Reach::Until(column) => (Some(column + 1), false),
+                Reach::All | Reach::None => (proposal, None),
+                Reach::From(column) => (column, Some(true)),
+                Reach::Until(column) => (column + 1, Some(false)),
             };
             self.outside[face] += u8::from(matches!(reach, Reach::None | Reach::From(_)));
         }
@@ -118,7 +125,7 @@ impl<P: Policy> Spanning<'_, P> {
                 self.inside.push(face);
             }
         }
-        sort_by_insertion(&mut self.edges);
+        sort(&mut self.edges, self.old);
     }
 
     /// The sweep passes an edge of a face.
@@ -187,18 +194,20 @@ impl<P: Policy> Spanning<'_, P> {
     }
 }
 
-/// Puts edges in the order of their columns, those without one last. O(n)
-/// where hardly anything has changed its place.
-fn sort_by_insertion(edges: &mut [Passed]) {
-    let key = |edge: &Passed| edge.at.unwrap_or(u32::MAX);
-    for i in 1..edges.len() {
+/// Puts edges in the order of their columns: those of the line above by
+/// insertion, in O(n) where hardly any has changed its place, then new ones
+/// among them, by merging.
+fn sort(edges: &mut [Passed], old: usize) {
+    for i in 1..old {
         let edge = edges[i];
-        let at = key(&edge);
         let mut j = i;
-        while j > 0 && at < key(&edges[j - 1]) {
+        while j > 0 && edge.at < edges[j - 1].at {
             edges[j] = edges[j - 1];
             j -= 1;
         }
         edges[j] = edge;
     }
+    edges[old..].sort_by_key(|edge| edge.at);
+    // Finds two sorted runs and merges them.
+    edges.sort_by_key(|edge| edge.at);
 }

@@ -1,67 +1,21 @@
 //! Ray casting against what must not matter, and against plain floats
 //! where floats are good enough.
 
-use super::{ItemBuffer, Samples, ray_cast};
+use super::{around, front, images, looking_from, mesh, picture, random_triangles};
 use crate::kernel::predicates::Exact;
-use crate::model::{Camera, FeatureOptions, Mesh, Soup};
-use crate::run::Run;
-use crate::view::PreparedView;
+use crate::model::{Camera, Mesh};
+use crate::raster::{ItemBuffer, Samples, ray_cast};
 use glam::DVec3;
+use std::cell::Cell;
 
 fn cast(mesh: &Mesh, camera: &Camera, size: u32) -> (ItemBuffer, Samples) {
-    let run = Run::default();
-    let view = camera.view(mesh.bounds()).expect("a view");
-    let options = FeatureOptions::default();
-    let prepared = PreparedView::new::<Exact>(mesh, &view, &options, &run).expect("a view");
-    let question = prepared.question(true);
-    let count = mesh.vertices().len() as u32;
-    let samples = Samples::around(&view.frame, question.coordinates, count, size).expect("a grid");
-    let buffer = ray_cast::<Exact>(&view, &question, &samples, &run).expect("an image");
-    (buffer, samples)
-}
-
-fn front() -> Camera {
-    Camera::Orthographic { forward: DVec3::Y, target: None, up: DVec3::Z }
-}
-
-/// Triangles of a soup from positions.
-fn mesh(triangles: &[[DVec3; 3]]) -> Mesh {
-    let mut soup = Soup::default();
-    for triangle in triangles {
-        let first = soup.vertices.len() as u32;
-        soup.vertices.extend(triangle);
-        soup.faces.push(&[first, first + 1, first + 2], []);
-    }
-    Mesh::new(vec![soup], None).expect("a mesh")
-}
-
-/// A generator of positions with full mantissas or on a grid.
-fn random_triangles(seed: u64, count: usize, grid: Option<f64>) -> Vec<[DVec3; 3]> {
-    let mut state = seed;
-    let mut next = || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let x = (state >> 11) as f64 / (1_u64 << 53) as f64;
-        grid.map_or(x, |cells| (x * cells).floor())
-    };
-    let mut point = || DVec3::new(next(), next(), next());
-    (0..count).map(|_| [point(), point(), point()]).collect()
-}
-
-/// Positions of the triangle at each sample.
-fn picture(mesh: &Mesh, buffer: &ItemBuffer) -> Vec<Option<Vec<[u64; 3]>>> {
-    let pixels = (0..buffer.height()).flat_map(|row| (0..buffer.width()).map(move |c| (c, row)));
-    pixels
-        .map(|(column, row)| {
-            buffer.item(column, row).map(|triangle| {
-                let corners = mesh.triangles()[triangle as usize];
-                let bits = |v: u32| mesh.vertices()[v as usize].to_array().map(f64::to_bits);
-                let mut corners = corners.map(bits).to_vec();
-                corners.sort_unstable();
-                corners
-            })
-        })
-        .collect()
+    let samples = Cell::new(None);
+    let mut images = images(mesh, camera, &[("ray-cast", ray_cast::<Exact>)], |question| {
+        let grid = around(size)(question);
+        samples.set(Some(grid));
+        grid
+    });
+    (images.remove(0).1, samples.get().expect("a grid"))
 }
 
 #[test]
@@ -77,16 +31,6 @@ fn the_order_of_the_file_does_not_matter() {
             let (second, _) = cast(&other, &camera, 24);
             assert_eq!(picture(&one, &first), picture(&other, &second), "seed {seed}");
         }
-    }
-}
-
-fn looking_from(eye: DVec3, forward: DVec3) -> Camera {
-    Camera::Perspective {
-        eye,
-        target: Some(eye + forward),
-        up: DVec3::Z,
-        near: Some(0.25),
-        fov_y_degrees: 60.0,
     }
 }
 
