@@ -12,6 +12,7 @@
 //! - [`kernel`]: numbers, points, exact predicates.
 //! - [`spatial`]: hierarchies and crossings; they propose, they never decide.
 //! - [`polygon`]: clipping, convexity, membership, triangulation of polygons with holes.
+//! - [`fill`]: fills of polygons, letters and patterns, as pixels.
 //! - [`model`]: files, meshes, scenes, feature edges.
 //! - [`view`]: the contract between models, methods and drawings.
 //! - [`visibility`]: the object-space methods (Roberts, Appel).
@@ -23,6 +24,7 @@
 
 pub mod drawing;
 pub mod export;
+pub mod fill;
 pub mod kernel;
 pub mod model;
 pub mod polygon;

@@ -11,11 +11,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Rooms, ground floor first. A room may use the rooms before it.
-const ROOMS: [&str; 11] = [
+const ROOMS: [&str; 12] = [
     "run",
     "kernel",
     "spatial",
     "polygon",
+    "fill",
     "model",
     "view",
     "visibility",
@@ -113,6 +114,11 @@ fn a_made_up_violation_is_found() {
         ("visibility/roberts.rs", "use super::appel::AppelOptions;\n"),
         ("visibility/appel/mod.rs", "use crate::visibility::reduce;\n"),
         ("raster/z_buffer.rs", "use super::ray_cast;\n"),
+        ("raster/z_buffer.rs", "use super::Compare;\n"),
+        ("raster/span_buffer/resolve.rs", "use crate::raster::z_buffer;\n"),
+        ("raster/a_buffer/mod.rs", "use super::span_buffer::span_buffer;\n"),
+        ("raster/samples/face.rs", "use crate::raster::a_buffer;\n"),
+        ("fill/polygon.rs", "use crate::raster::ItemBuffer;\n"),
         ("raster/scanline/edges.rs", "use super::super::warnock::warnock;\n"),
         ("raster/z_buffer.rs", "use super::spanning;\n"),
         ("raster/warnock/window.rs", "use crate::raster::SheetCounter;\n"),

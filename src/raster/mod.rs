@@ -7,6 +7,7 @@
 //! methods share what a sample is and sees ([`samples`]) and nothing else;
 //! none knows another, and all give the same [`ItemBuffer`], bit by bit.
 
+mod a_buffer;
 mod box_tree;
 mod item_buffer;
 mod methods;
@@ -15,11 +16,16 @@ mod ray_cast;
 pub mod samples;
 mod scanline;
 mod sheets;
+mod span_buffer;
 #[cfg(test)]
 mod tests;
 mod warnock;
 mod z_buffer;
 
+pub use a_buffer::{
+    ABufferOptions, Division, Fragment, Fragments, MaskTable, Masks, Paint, Shading, a_buffer,
+    coverage, preview, visible_fragments,
+};
 pub use box_tree::BoxTree;
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
@@ -28,5 +34,6 @@ pub use ray_cast::ray_cast;
 pub use samples::Samples;
 pub use scanline::{scanline, spanning};
 pub use sheets::{Probe, SheetCounter};
+pub use span_buffer::{Compare, c_buffer, span_buffer, span_buffer_with};
 pub use warnock::{Stop, Subdivision, Window, warnock, warnock_vertex, warnock_windows};
 pub use z_buffer::z_buffer;

@@ -12,18 +12,20 @@
 use super::Footprint;
 use crate::model::{Frame, Projection, ViewCoordinates};
 use glam::{DVec2, DVec3};
+use std::ops::Range;
 
 /// Bits of a sample's coordinates below the largest of them. Three fewer
 /// than a float has, for sums.
 const SAMPLE_BITS: i32 = 50;
 
-/// A grid of square pixels over a rectangle of the image.
+/// A grid of pixels over a rectangle of the image; they are square unless
+/// they were divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Samples {
     /// The upper left corner, view frame.
     corner: DVec2,
-    /// The side of a pixel, view frame units.
-    pixel: f64,
+    /// The sides of a pixel, view frame units.
+    pixel: DVec2,
     width: u32,
     height: u32,
     /// The sample of column 0 and row 0.
@@ -32,6 +34,8 @@ pub struct Samples {
     right: DVec3,
     /// The step to the next row.
     down: DVec3,
+    /// What their coordinates are multiples of.
+    grain: f64,
     /// How far, in pixels, rounding may have moved a sample.
     drift: f64,
     perspective: bool,
@@ -102,12 +106,13 @@ impl Samples {
         let round = |v: DVec3| (v / grain).round() * grain + DVec3::ZERO;
         Samples {
             corner,
-            pixel,
+            pixel: DVec2::splat(pixel),
             width,
             height,
             first: round(first),
             right: round(right),
             down: round(down),
+            grain,
             // At most half a grain for each step in each of three
             // coordinates, and what the first sample's computation rounds;
             // up to three times that far in the image, at a right angle.
@@ -126,9 +131,9 @@ impl Samples {
         self.height
     }
 
-    /// The side of a pixel in view frame units.
+    /// The width of a pixel in view frame units.
     pub fn pixel(&self) -> f64 {
-        self.pixel
+        self.pixel.x
     }
 
     /// The world point of a sample. Exact: all terms are multiples of one
@@ -150,6 +155,41 @@ impl Samples {
     pub fn image(&self, column: u32, row: u32) -> DVec2 {
         let offset = DVec2::new(f64::from(column) + 0.5, -(f64::from(row) + 0.5));
         self.corner + offset * self.pixel
+    }
+
+    /// The grid of some rows of this one: the very same samples.
+    #[must_use]
+    pub fn band(&self, rows: Range<u32>) -> Self {
+        let above = f64::from(rows.start);
+        Samples {
+            corner: self.corner - DVec2::new(0.0, self.pixel.y * above),
+            height: rows.end - rows.start,
+            first: self.first + self.down * above,
+            ..*self
+        }
+    }
+
+    /// The grid with each pixel divided into `columns` x `rows`, rounded as
+    /// finely as this one was.
+    #[must_use]
+    pub fn divided(&self, columns: u32, rows: u32) -> Self {
+        let parts = DVec2::new(f64::from(columns), f64::from(rows));
+        let round = |v: DVec3| (v / self.grain).round() * self.grain + DVec3::ZERO;
+        let (right, down) = (self.right / parts.x, self.down / parts.y);
+        // From the middle of the first pixel to that of its first part.
+        let back = (right * (parts.x - 1.0) + down * (parts.y - 1.0)) * 0.5;
+        Samples {
+            pixel: self.pixel / parts,
+            width: self.width * columns,
+            height: self.height * rows,
+            first: round(self.first - back),
+            right: round(right),
+            down: round(down),
+            // As many more steps, and as many more parts in a pixel; and what
+            // the pixels drifted.
+            drift: 2.0 * self.drift * parts.max_element().powi(2),
+            ..*self
+        }
     }
 
     /// All samples.
@@ -203,6 +243,7 @@ impl Samples {
     ) -> Option<([DVec2; 3], f64)> {
         let mut places = [DVec2::ZERO; 3];
         let mut slack: f64 = 0.0;
+        let finest = self.pixel.min_element();
         for (place, vertex) in places.iter_mut().zip(corners) {
             let point = coordinates.point(vertex);
             let (image, depth) = coordinates.project(point);
@@ -210,8 +251,8 @@ impl Samples {
             *place = DVec2::new(offset.x - 0.5, -offset.y - 0.5);
             // A thousandth of a pixel and 2^-40 of the coordinates are much
             // more than these lines round.
-            let size = (image.abs() + self.corner.abs()).max_element() / self.pixel;
-            let error = coordinates.image_slack(point) / self.pixel + self.drift;
+            let size = (image.abs() + self.corner.abs()).max_element() / finest;
+            let error = coordinates.image_slack(point) / finest + self.drift;
             slack = slack.max(error + size * f64::powi(2.0, -40) + 1e-3);
             if !(place.is_finite() && slack.is_finite() && (depth > 0.0 || !self.perspective)) {
                 return None;
