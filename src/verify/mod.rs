@@ -13,7 +13,7 @@
 //!   rays. A sample beside the middle proves less, so middles near an edge
 //!   are left out and counted.
 //!
-//! The first three are exact: one difference is one defect. [`cross_check`]
+//! The first three are exact: one difference is one defect. [`cross_check()`]
 //! holds the image-space methods against each other, exactly too.
 
 mod against_image;
