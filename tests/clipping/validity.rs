@@ -6,6 +6,14 @@ use robust::{Coord, orient2d};
 use umriss::polygon::clipping::Rounded;
 
 fn side(a: DVec2, b: DVec2, c: DVec2) -> i32 {
+    // `robust` has a range, beyond which rational numbers are slow but right.
+    let in_range = |x: f64| x == 0.0 || (1e-60..1e60).contains(&x.abs());
+    if ![a, b, c].iter().all(|p| in_range(p.x) && in_range(p.y)) {
+        let [a, b, c] = [a, b, c].map(super::naive::exact);
+        let minus = |p: &super::naive::Exact, i: usize| p[i].clone() - a[i].clone();
+        let area = minus(&b, 0) * minus(&c, 1) - minus(&b, 1) * minus(&c, 0);
+        return area.sign().to_i32();
+    }
     let coord = |p: DVec2| Coord { x: p.x, y: p.y };
     let value = orient2d(coord(a), coord(b), coord(c));
     i32::from(value > 0.0) - i32::from(value < 0.0)

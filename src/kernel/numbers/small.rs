@@ -47,6 +47,20 @@ impl<const N: usize> SmallInteger<N> {
         if self.is_negative() { -value } else { value }
     }
 
+    /// `numerator / denominator`, off by less than one unit in its last place
+    /// and exact where a float has the value. The denominator must not be
+    /// zero.
+    pub fn ratio(numerator: &Self, denominator: &Self) -> f64 {
+        // Twice the bits of a float each; one step of division by hand.
+        let [n, d] = [numerator, denominator].map(|value| {
+            let high = value.to_f64();
+            (high, (*value - Self::read(high, 0)).to_f64())
+        });
+        let quotient = n.0 / d.0;
+        let rest = quotient.mul_add(-d.0, n.0) + quotient.mul_add(-d.1, n.1);
+        quotient + rest / d.0
+    }
+
     #[inline(always)]
     fn is_negative(&self) -> bool {
         self.words[N - 1] >> 63 == 1
@@ -243,6 +257,20 @@ mod tests {
             let [u, v, w] = big;
             let exact = BigInteger::ratio(&(u * v - w), &BigInteger::from(1));
             let rounded = (x * y - z).to_f64();
+            prop_assert!((rounded - exact).abs() <= exact.abs() * f64::EPSILON);
+        }
+
+        #[test]
+        fn quotients_that_are_floats_are_exact(
+            a in coordinate(), b in coordinate(), c in coordinate(), d in coordinate(),
+        ) {
+            prop_assume!(b != 0.0 && c != 0.0);
+            let read = |value| SmallInteger::<6>::read(value, 0);
+            let divisor = read(b) * read(c);
+            prop_assert_eq!(SmallInteger::ratio(&(read(a) * divisor), &divisor), a);
+            let big = |value| BigInteger::read(value, 0);
+            let exact = BigInteger::ratio(&(big(a) * big(d)), &(big(b) * big(c)));
+            let rounded = SmallInteger::ratio(&(read(a) * read(d)), &divisor);
             prop_assert!((rounded - exact).abs() <= exact.abs() * f64::EPSILON);
         }
 

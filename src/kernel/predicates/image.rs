@@ -175,11 +175,15 @@ impl<P: Policy> Predicates<'_, P> {
             return Approximation { place: [0.0; 2], error: f64::INFINITY };
         }
         let triple = chart.point::<Filtered>(points, point);
-        let weight = dot(chart.front(points), triple);
+        let (parts, weight) = if chart.is_flat() {
+            ([triple[0], triple[1]], triple[2])
+        } else {
+            let parts = chart.coordinates::<Filtered>(points).map(|f| dot(f, triple));
+            (parts, dot(chart.front(points), triple))
+        };
         let origin = chart.origin(points);
         let (mut place, mut error) = ([0.0; 2], 0.0_f64);
-        for (i, functional) in chart.coordinates::<Filtered>(points).into_iter().enumerate() {
-            let part = dot(functional, triple);
+        for (i, part) in parts.into_iter().enumerate() {
             let quotient = part.value() / weight.value();
             let least = weight.value() - weight.bound();
             // The quotient and the sum round once each.
@@ -207,17 +211,20 @@ impl<P: Policy> Predicates<'_, P> {
     }
 
     /// The coordinates of [`Self::ratio`] in floats, each off by less than
-    /// two units in its last place; in the plane, those of the input. (A
-    /// coordinate below the least normal float has its distance as unit.)
+    /// one unit in its last place and exact where a float has the value; in
+    /// the plane, those of the input.
     pub fn round(&self, chart: &Chart, point: ImagePoint) -> [f64; 2] {
         let points = self.points();
         let bits = chart.point_bits(point).dot(two_keys(chart)) + points.spread();
         let exponent = if chart.is_flat() { self.ratio_exponent() } else { 0 };
+        let scaled = |quotient: f64| scale_by_power_of_two(quotient, exponent.into());
+        if points.is_narrow() && bits <= 255 {
+            let (parts, weight) = ratio::<SmallInteger<4>>(chart, points, point);
+            return parts.map(|part| scaled(SmallInteger::ratio(&part, &weight)));
+        }
         if points.is_narrow() && bits <= 383 {
             let (parts, weight) = ratio::<SmallInteger<6>>(chart, points, point);
-            let weight = weight.to_f64();
-            return parts
-                .map(|part| scale_by_power_of_two(part.to_f64() / weight, exponent.into()));
+            return parts.map(|part| scaled(SmallInteger::ratio(&part, &weight)));
         }
         let (parts, weight) = ratio::<BigInteger>(chart, points, point);
         parts.map(|part| BigInteger::scaled_ratio(&part, &weight, exponent))
@@ -226,14 +233,13 @@ impl<P: Policy> Predicates<'_, P> {
 
 fn ratio<R: Ring>(chart: &Chart, points: &Points, point: ImagePoint) -> ([R; 2], R) {
     let triple = chart.point::<R>(points, point);
-    let weight = dot(chart.front(points), triple.clone());
-    let parts = chart.coordinates::<R>(points).map(|f| dot(f, triple.clone()));
-    let [right, up] = parts;
-    if !chart.is_flat() || points.is_empty() {
-        return ([right, up], weight);
+    if chart.is_flat() && !points.is_empty() {
+        // The coordinates are members of the triple, but for the origin.
+        let ([right, up, weight], [x, y, _]) = (triple, points.vertex::<R>(0));
+        return ([right + x * weight.clone(), up + y * weight.clone()], weight);
     }
-    let [x, y, _] = points.vertex::<R>(0);
-    ([right + x * weight.clone(), up + y * weight.clone()], weight)
+    let weight = dot(chart.front(points), triple.clone());
+    (chart.coordinates::<R>(points).map(|f| dot(f, triple.clone())), weight)
 }
 
 /// The bits of a functional for coordinates: a product of two directions.

@@ -2,7 +2,7 @@
 //!
 //! The grid is that of doubles. Vertices of the input are on it and stay
 //! where they are; crossings are moved to it, each coordinate by less than
-//! two units in its last place. An edge that is moved may run across a vertex
+//! one unit in its last place. An edge that is moved may run across a vertex
 //! next to it, so what was rounded is taken as a new input and all its
 //! crossings are found, exactly; where there are any they are rounded in
 //! their turn, until there are none (snap rounding, Greene and Yao 1986,
@@ -31,7 +31,7 @@ pub struct Rounded {
     /// Polygons of rings that are not closed by a repeated corner.
     pub polygons: Vec<Vec<Vec<DVec2>>>,
     /// How often crossings were rounded. Every corner is nearer than this
-    /// times two units in the last place, in each coordinate, to the border
+    /// times one unit in the last place, in each coordinate, to the border
     /// of the exact shape; and the other way round.
     pub rounds: u32,
 }
@@ -140,7 +140,7 @@ impl PlaneShape {
             ImagePoint::Crossing(lines) => {
                 let place = DVec2::from(predicates.round(&chart, point));
                 if stay {
-                    lines.iter().fold(place, |place, line| self.into_box(place, line))
+                    lines.iter().fold(place, |place, line| self.boxed(place, line))
                 } else {
                     place
                 }
@@ -152,7 +152,7 @@ impl PlaneShape {
     }
 
     /// The place in the box of an edge next to this one.
-    fn into_box(&self, place: DVec2, line: &ImageLine) -> DVec2 {
+    fn boxed(&self, place: DVec2, line: &ImageLine) -> DVec2 {
         let ImageLine::Edge([a, b]) = *line else {
             return place;
         };
