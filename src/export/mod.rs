@@ -33,6 +33,7 @@ mod json;
 mod json_reader;
 #[cfg(feature = "png")]
 mod png;
+#[cfg(any(feature = "json", feature = "svg"))]
 mod shapes;
 #[cfg(feature = "svg")]
 mod svg;
@@ -52,6 +53,7 @@ pub use json::{DrawingNotes, to_json, to_json_with_notes};
 pub use json_reader::{read_drawing, read_drawing_with_notes};
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
+#[cfg(any(feature = "json", feature = "svg"))]
 pub use shapes::{ShapeFile, ShapeFormat, ShapePart};
 #[cfg(feature = "svg")]
 pub use svg::{SvgOptions, to_svg};

@@ -11,8 +11,8 @@
 //! other where they cross, keep the inside on one side. Their walk derails
 //! where vertices lie on edges and edges on edges. Here it is taken on
 //! pieces that have been cut at all points where edges meet, each with the
-//! exact winding numbers on its two sides ([`sweep`]), and the turn at a point
-//! is read from the exact order of all pieces around it ([`borders`]).
+//! exact winding numbers on its two sides (`sweep`), and the turn at a point
+//! is read from the exact order of all pieces around it (`borders`).
 //!
 //! Two doors lead in:
 //!

@@ -114,7 +114,7 @@ impl Link {
 
     /// The count at the beginning of the line, from the first vertex's
     /// foreign sheets.
-    fn from_first(&self, foreign: i32) -> Sides {
+    fn counted_from_first(&self, foreign: i32) -> Sides {
         let mut sides = Sides::both(foreign);
         sides.add(self.own[0]);
         sides
@@ -122,7 +122,7 @@ impl Link {
 
     /// The count at the beginning of the line, from the last vertex's
     /// foreign sheets: left and right change places on the way back.
-    fn from_last(&self, foreign: i32) -> Sides {
+    fn counted_from_last(&self, foreign: i32) -> Sides {
         let Link { changes, own: [_, own], .. } = *self;
         Sides {
             left: foreign + own.right - changes.left,
@@ -207,8 +207,8 @@ impl Foreign {
     pub(super) fn first_count(&self, link: &Link) -> Option<Sides> {
         let [first, last] = link.vertices.map(|vertex| self.counts[vertex as usize]);
         match (first, last) {
-            (Some(foreign), _) => Some(link.from_first(foreign)),
-            (None, Some(foreign)) => Some(link.from_last(foreign)),
+            (Some(foreign), _) => Some(link.counted_from_first(foreign)),
+            (None, Some(foreign)) => Some(link.counted_from_last(foreign)),
             (None, None) => None,
         }
     }
