@@ -217,18 +217,23 @@ impl<P: Policy> Predicates<'_, P> {
         let points = self.points();
         let bits = chart.point_bits(point).dot(two_keys(chart)) + points.spread();
         let exponent = if chart.is_flat() { self.ratio_exponent() } else { 0 };
-        let scaled = |quotient: f64| scale_by_power_of_two(quotient, exponent.into());
-        if points.is_narrow() && bits <= 255 {
-            let (parts, weight) = ratio::<SmallInteger<4>>(chart, points, point);
-            return parts.map(|part| scaled(SmallInteger::ratio(&part, &weight)));
-        }
-        if points.is_narrow() && bits <= 383 {
-            let (parts, weight) = ratio::<SmallInteger<6>>(chart, points, point);
-            return parts.map(|part| scaled(SmallInteger::ratio(&part, &weight)));
-        }
-        let (parts, weight) = ratio::<BigInteger>(chart, points, point);
-        parts.map(|part| BigInteger::scaled_ratio(&part, &weight, exponent))
+        let width = if points.is_narrow() { bits } else { u32::MAX };
+        let quotients = match width {
+            0..=255 => quotients::<4>(chart, points, point),
+            256..=383 => quotients::<6>(chart, points, point),
+            384..=511 => quotients::<8>(chart, points, point),
+            _ => {
+                let (parts, weight) = ratio::<BigInteger>(chart, points, point);
+                return parts.map(|part| BigInteger::scaled_ratio(&part, &weight, exponent));
+            }
+        };
+        quotients.map(|quotient| scale_by_power_of_two(quotient, exponent.into()))
     }
+}
+
+fn quotients<const N: usize>(chart: &Chart, points: &Points, point: ImagePoint) -> [f64; 2] {
+    let (parts, weight) = ratio::<SmallInteger<N>>(chart, points, point);
+    parts.map(|part| SmallInteger::ratio(&part, &weight))
 }
 
 fn ratio<R: Ring>(chart: &Chart, points: &Points, point: ImagePoint) -> ([R; 2], R) {
