@@ -1,6 +1,6 @@
 //! The exporters, on whole files.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 #[cfg(all(feature = "svg", feature = "devices"))]
 mod devices;
