@@ -59,7 +59,7 @@ pub(crate) fn plot(text: &str, limits: Limits) -> Result<Plot, String> {
                 (pen.at, pen.down) = (Some([*x, *y]), false);
                 strokes.push((number, vec![[*x, *y]]));
             }
-            ("PD", [_, ..]) if integers.len() % 2 == 0 => {
+            ("PD", [_, ..]) if integers.len().is_multiple_of(2) => {
                 let stroke = &mut strokes.last_mut().ok_or("no stroke")?.1;
                 let mut at = pen.at.ok_or("from nowhere")?;
                 for pair in integers.chunks(2) {
