@@ -13,8 +13,8 @@
 //! buckets by the hash of their point; buckets are independent and run in
 //! parallel. Everything but the sorting at crowded joints is linear.
 
-use super::Strokes;
 use super::joints::Joints;
+use super::{Strokes, is_closed};
 use crate::run::{map_chunks, map_indexed};
 use glam::DVec2;
 use rustc_hash::{FxBuildHasher, FxHashMap};
@@ -25,9 +25,13 @@ use std::ops::Range;
 pub(super) const SINGLE: u32 = u32::MAX;
 
 /// Joins `segments`, none of which may be a point, into polylines. Each
-/// segment is part of exactly one stroke.
-pub(super) fn chain(segments: &[[DVec2; 2]]) -> Strokes {
-    let partners = pair_ends(segments);
+/// segment is part of exactly one stroke. Segments with the same number in
+/// `runs`, which may be empty, lie on one straight line.
+///
+/// A joint of two segments on one straight line is no point of the polyline:
+/// they are of one run, or the three points are collinear as they stand.
+pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32]) -> Strokes {
+    let (partners, busy) = pair_ends(segments);
     let mut drawn = vec![false; segments.len()];
     let mut strokes = Strokes::default();
     let mut points = Vec::new();
@@ -38,18 +42,53 @@ pub(super) fn chain(segments: &[[DVec2; 2]]) -> Strokes {
         let mut end = first_end(&partners, segment);
         points.clear();
         points.push(point(segments, end));
+        let first = end;
         loop {
             drawn[(end / 2) as usize] = true;
             points.push(point(segments, end ^ 1));
+            let next = partners[(end ^ 1) as usize];
+            if next != SINGLE && next != first && !busy[next as usize] {
+                let far = point(segments, next ^ 1);
+                if goes_straight_on(segments, runs, [end, next], &points, far) {
+                    points.pop();
+                }
+            }
             match partners[(end ^ 1) as usize] {
                 SINGLE => break,
                 next if drawn[(next / 2) as usize] => break,
                 next => end = next,
             }
         }
+        if is_closed(&points) && !busy[first as usize] {
+            // The same where a closed polyline happens to begin.
+            let second = points[1];
+            if 4 < points.len() && goes_straight_on(segments, runs, [end, first], &points, second) {
+                points.remove(0);
+                points.pop();
+                points.push(second);
+            }
+        }
         strokes.push(points.iter().copied());
     }
     strokes
+}
+
+/// Whether the last of `points`, between the segments of two ends, is no
+/// corner.
+fn goes_straight_on(
+    segments: &[[DVec2; 2]],
+    runs: &[u32],
+    [end, next]: [u32; 2],
+    points: &[DVec2],
+    far: DVec2,
+) -> bool {
+    let [.., before, joint] = points else { return false };
+    let onward = 0.0 < (*joint - *before).dot(far - *joint);
+    let run = |end: u32| runs.get((end / 2) as usize);
+    debug_assert!(point(segments, next) == *joint);
+    let same_run = run(end).is_some() && run(end) == run(next);
+    let coord = |p: DVec2| robust::Coord { x: p.x, y: p.y };
+    onward && (same_run || robust::orient2d(coord(*before), coord(*joint), coord(far)) == 0.0)
 }
 
 /// The end at which the polyline through `segment` begins, found by walking
@@ -67,8 +106,8 @@ fn first_end(partners: &[u32], segment: usize) -> u32 {
 }
 
 /// For each end (2 i and 2 i + 1 are those of segment i) the end with which
-/// its polyline goes on.
-fn pair_ends(segments: &[[DVec2; 2]]) -> Vec<u32> {
+/// its polyline goes on, and whether three ends or more meet where it is.
+fn pair_ends(segments: &[[DVec2; 2]]) -> (Vec<u32>, Vec<bool>) {
     let count = 2 * segments.len();
     let buckets = (count / BUCKET).next_power_of_two();
     let parts = map_chunks(count, PART, |part| Dealt::new(segments, part, buckets));
@@ -77,11 +116,15 @@ fn pair_ends(segments: &[[DVec2; 2]]) -> Vec<u32> {
         pair_bucket(segments, &ends)
     });
     let mut partners = vec![SINGLE; count];
-    for [one, other] in pairs.into_iter().flatten() {
-        partners[one as usize] = other;
-        partners[other as usize] = one;
+    let mut busy = vec![false; count];
+    for (pairs, crowded) in pairs {
+        for [one, other] in pairs {
+            partners[one as usize] = other;
+            partners[other as usize] = one;
+        }
+        crowded.into_iter().for_each(|end| busy[end as usize] = true);
     }
-    partners
+    (partners, busy)
 }
 
 /// Ends per bucket, about: few enough to stay in the cache while their
@@ -136,7 +179,8 @@ impl Dealt {
 }
 
 /// Pairs the ends of one bucket, which holds all ends of each of its joints.
-fn pair_bucket(segments: &[[DVec2; 2]], ends: &[End]) -> Vec<[u32; 2]> {
+/// Beside the pairs, the ends at joints of three or more.
+fn pair_bucket(segments: &[[DVec2; 2]], ends: &[End]) -> (Vec<[u32; 2]>, Vec<u32>) {
     let (joint_of, starts) = find_joints(ends);
     // Counting sort of the ends by joint: `fill` runs ahead of `starts`.
     let mut fill = starts.clone();
@@ -147,15 +191,19 @@ fn pair_bucket(segments: &[[DVec2; 2]], ends: &[End]) -> Vec<[u32; 2]> {
         *slot += 1;
     }
     let mut pairs = Vec::with_capacity(ends.len() / 2);
+    let mut crowded = Vec::new();
     let mut joints = Joints::default();
     for bounds in starts.windows(2) {
         match &sorted[bounds[0] as usize..bounds[1] as usize] {
             [_] => {}
             [one, other] => pairs.push([*one, *other]),
-            crowd => joints.pair(segments, crowd, &mut pairs),
+            crowd => {
+                crowded.extend_from_slice(crowd);
+                joints.pair(segments, crowd, &mut pairs);
+            }
         }
     }
-    pairs
+    (pairs, crowded)
 }
 
 /// The joint of each of some ends, and where each joint's ends start if the

@@ -8,12 +8,15 @@ use super::cropping::clip_segment;
 use super::{Drawing, Strokes, Window, is_closed};
 use glam::DVec2;
 
+/// How far cut strokes may be from the curves that they were, mm.
+const FLATNESS: f64 = 1e-3;
+
 impl Drawing {
     /// Cuts all strokes to a part of the page, mm, y downwards. Layers of
-    /// which nothing is left are left out. O(n).
+    /// which nothing is left are left out; curves become polylines. O(n).
     pub fn cut(&mut self, window: &Window) {
         for layer in &mut self.layers {
-            layer.strokes = cut(&layer.strokes, window);
+            layer.strokes = cut(&layer.strokes.flat(FLATNESS), window);
         }
         self.layers.retain(|layer| !layer.strokes.is_empty());
     }

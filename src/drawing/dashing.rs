@@ -183,7 +183,7 @@ impl Path {
 }
 
 /// Whether the way from `a` over `b` to `c` turns by more than 30 degrees.
-fn is_corner(a: DVec2, b: DVec2, c: DVec2) -> bool {
+pub(super) fn is_corner(a: DVec2, b: DVec2, c: DVec2) -> bool {
     let (before, after) = (b - a, c - b);
     let cosine = before.dot(after);
     cosine < 0.0 || cosine * cosine < CORNER * before.length_squared() * after.length_squared()

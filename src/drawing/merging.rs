@@ -11,14 +11,15 @@ use super::placement::Placement;
 use crate::view::VisibleLines;
 use glam::DVec2;
 
-/// The segments of the pieces `indices`, on the page. What has no length on
+/// The segments of the pieces `indices`, on the page, and their runs. What has no length on
 /// the page is left out: it cannot be drawn and would tear polylines apart.
 pub(super) fn segments(
     lines: &VisibleLines,
     indices: &[u32],
     placement: &Placement,
-) -> Vec<[DVec2; 2]> {
+) -> (Vec<[DVec2; 2]>, Vec<u32>) {
     let mut segments = Vec::with_capacity(indices.len());
+    let mut runs = Vec::with_capacity(indices.len());
     let mut rest = indices;
     while let Some((first, mut tail)) = rest.split_first() {
         let first = &lines.pieces[*first as usize];
@@ -34,8 +35,9 @@ pub(super) fn segments(
         let segment = [placement.apply(first.points[0]), placement.apply(end)];
         if segment[0] != segment[1] {
             segments.push(segment);
+            runs.push(first.run);
         }
         rest = tail;
     }
-    segments
+    (segments, runs)
 }

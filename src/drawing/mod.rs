@@ -14,6 +14,8 @@
 //!    become one segment.
 //! 4. `chaining`, with `joints`: segments that meet become polylines, as long
 //!    as the drawing allows.
+//!    Joints on a straight line are no points of them. `smoothing`, on
+//!    request, leaves out points or fits curves within a tolerance.
 //! 5. `dashing`: hidden polylines become dashes, which are real strokes,
 //!    because plotters and their programs draw a dash *pattern* solid.
 //!
@@ -41,13 +43,14 @@ mod page;
 mod paper;
 mod placement;
 mod scale;
+mod smoothing;
 mod statistics;
 mod strokes;
 mod window;
 
 pub use error::DrawingError;
 pub use length::Length;
-pub use options::{DrawingOptions, Hidden, LayerBy};
+pub use options::{DrawingOptions, Hidden, Join, LayerBy};
 pub use ordering::Effort;
 pub use page::{Drawing, Layer, LineStyle};
 pub use paper::Paper;

@@ -57,6 +57,29 @@ impl FromStr for LayerBy {
     }
 }
 
+/// Which segments may be joined to one stroke.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Join {
+    /// All of a layer.
+    #[default]
+    All,
+    /// Those of one class: a contour goes on as a contour, whatever joins it.
+    Class,
+}
+
+/// Reads `all`, `class`.
+impl FromStr for Join {
+    type Err = DrawingError;
+
+    fn from_str(text: &str) -> Result<Self, DrawingError> {
+        match text {
+            "all" => Ok(Join::All),
+            "class" => Ok(Join::Class),
+            _ => Err(refuse(text, "all or class")),
+        }
+    }
+}
+
 fn refuse(word: &str, expected: &'static str) -> DrawingError {
     DrawingError::Choice { word: word.to_owned(), expected }
 }
@@ -83,6 +106,16 @@ pub struct DrawingOptions {
     pub layer_by: LayerBy,
     /// How hidden lines are drawn.
     pub hidden: Hidden,
+    /// Which segments may be joined to one stroke.
+    pub join: Join,
+    /// Strokes shorter than this are left out; 0 leaves out none.
+    pub min_length: Length,
+    /// Points are left out as long as strokes stay within this distance of
+    /// what was found, measured both ways; 0 leaves out none.
+    pub simplify: Length,
+    /// Curves are fitted within this distance, measured both ways, and points
+    /// left out where no curve fits; 0 fits none.
+    pub fit: Length,
     /// Width of visible lines, mm: 0.5, the wide line of ISO 128 for sheets
     /// up to A2.
     pub visible_width: f64,
@@ -102,6 +135,10 @@ impl Default for DrawingOptions {
             unit: Unit::Millimetre,
             layer_by: LayerBy::Visibility,
             hidden: Hidden::None,
+            join: Join::All,
+            min_length: Length::from_millimetres(0.0),
+            simplify: Length::from_millimetres(0.0),
+            fit: Length::from_millimetres(0.0),
             visible_width: 0.5,
             hidden_width: 0.25,
         }

@@ -6,11 +6,13 @@ use super::dashing::dashed;
 use super::layering::{LayerPlan, plan};
 use super::merging::segments;
 use super::placement::Placement;
-use super::{DrawingError, DrawingOptions, Hidden, Strokes};
+use super::smoothing::{Smoothing, smooth};
+use super::{DrawingError, DrawingOptions, Hidden, Join, Strokes};
 use crate::model::Color;
 use crate::run::map_indexed;
-use crate::view::VisibleLines;
+use crate::view::{LineClass, VisibleLines};
 use glam::DVec2;
+use std::borrow::Cow;
 
 /// Strokes on a page, ready to be written in any format.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +48,9 @@ pub struct LineStyle {
     pub color: Color,
 }
 
+/// How far dashes may be from the curves they stand for, mm.
+const FLATNESS: f64 = 0.005;
+
 /// Pen widths that can be drawn, mm.
 const PEN_WIDTHS: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
@@ -69,23 +74,63 @@ impl Drawing {
         let lines = &*crop(lines, options)?;
         let plans = plan(lines, options);
         let placement = Placement::new(lines, &plans, options)?;
-        let layers =
-            map_indexed(plans.len(), |i| draw_layer(lines, &plans[i], &placement, options));
-        let layers = layers.into_iter().filter(|layer| !layer.strokes.is_empty()).collect();
+        let solid = map_indexed(plans.len(), |i| join(lines, &plans[i], &placement, options));
+        let solid = match (options.fit.millimetres(), options.simplify.millimetres()) {
+            (0.0, 0.0) => solid,
+            (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
+            (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
+        };
+        let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i], options));
+        let layers = finished.into_iter().filter(|layer| !layer.strokes.is_empty()).collect();
         Ok(Drawing { size: placement.size, scale: placement.scale, layers })
+    }
+
+    /// The same drawing with polylines nowhere farther than `flatness`
+    /// millimetres from its curves.
+    pub fn flat(&self, flatness: f64) -> Cow<'_, Drawing> {
+        if self.layers.iter().all(|layer| matches!(layer.strokes.flat(1.0), Cow::Borrowed(_))) {
+            return Cow::Borrowed(self);
+        }
+        let mut flat = self.clone();
+        for layer in &mut flat.layers {
+            layer.strokes = layer.strokes.flat(flatness).into_owned();
+        }
+        Cow::Owned(flat)
     }
 }
 
-fn draw_layer(
+/// The pieces of a layer as long strokes.
+fn join(
     lines: &VisibleLines,
     plan: &LayerPlan,
     placement: &Placement,
     options: &DrawingOptions,
-) -> Layer {
-    let solid = chain(&segments(lines, &plan.pieces, placement));
+) -> Strokes {
+    let joined = |pieces: &[u32]| {
+        let (segments, runs) = segments(lines, pieces, placement);
+        chain(&segments, &runs)
+    };
+    let mut strokes = match options.join {
+        Join::All => joined(&plan.pieces),
+        Join::Class => {
+            let mut all = Strokes::default();
+            for class in LineClass::ALL {
+                let of_class = |piece: &u32| lines.pieces[*piece as usize].class == class;
+                let pieces: Vec<u32> = plan.pieces.iter().copied().filter(of_class).collect();
+                joined(&pieces).iter().for_each(|stroke| all.push(stroke.iter().copied()));
+            }
+            all
+        }
+    };
+    strokes.retain_longer(options.min_length.millimetres());
+    strokes
+}
+
+/// A layer of joined strokes in its style.
+fn finish(plan: &LayerPlan, solid: &Strokes, options: &DrawingOptions) -> Layer {
     let strokes = match (plan.hidden, options.hidden) {
-        (true, Hidden::Dashed) => dashed(&solid, options.hidden_width),
-        _ => solid,
+        (true, Hidden::Dashed) => dashed(&solid.flat(FLATNESS), options.hidden_width),
+        _ => solid.clone(),
     };
     let width = if plan.hidden { options.hidden_width } else { options.visible_width };
     let style = LineStyle { width, color: Color([0; 3]) };

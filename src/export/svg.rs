@@ -82,7 +82,10 @@ fn path_data(layer: &Layer, grid: DecimalGrid) -> String {
         let mut text = String::new();
         let mut rounded = Vec::new();
         for index in range {
-            push_stroke(&mut text, strokes.get(index), grid, &mut rounded);
+            match strokes.bends(index) {
+                [] => push_stroke(&mut text, strokes.get(index), grid, &mut rounded),
+                bends => push_curves(&mut text, strokes.get(index), bends, grid),
+            }
         }
         text
     });
@@ -113,6 +116,44 @@ fn push_stroke(
         grid.push(text, *y);
     }
     if closed {
+        text.push('Z');
+    }
+}
+
+/// `M0 0C1 0 2 1 2 2L5 5`.
+fn push_curves(
+    text: &mut String,
+    stroke: &[DVec2],
+    bends: &[Option<[DVec2; 2]>],
+    grid: DecimalGrid,
+) {
+    let round = |point: DVec2| [grid.round(point.x), grid.round(point.y)];
+    let mut push = |letter: char, point: [i64; 2]| {
+        text.push(letter);
+        grid.push(text, point[0]);
+        text.push(' ');
+        grid.push(text, point[1]);
+    };
+    let nodes: Vec<_> = stroke.iter().map(|point| round(*point)).collect();
+    let bends: Vec<_> = bends.iter().map(|bend| bend.map(|controls| controls.map(round))).collect();
+    let moves = |to: usize| match bends[to] {
+        Some(controls) => controls != [nodes[to]; 2] || nodes[to - 1] != nodes[to],
+        None => nodes[to - 1] != nodes[to],
+    };
+    if !(1..nodes.len()).any(moves) {
+        return;
+    }
+    push('M', nodes[0]);
+    for to in (1..nodes.len()).filter(|to| moves(*to)) {
+        if let Some([one, other]) = bends[to] {
+            push('C', one);
+            push(' ', other);
+            push(' ', nodes[to]);
+        } else {
+            push('L', nodes[to]);
+        }
+    }
+    if is_closed(stroke) {
         text.push('Z');
     }
 }

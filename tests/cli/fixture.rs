@@ -53,6 +53,26 @@ pub(crate) fn wave(side: usize) -> String {
     text
 }
 
+/// A ball of `around` times half as many faces.
+pub(crate) fn ball(around: usize) -> String {
+    let mut text = "o ball\n".to_owned();
+    let rows = around / 2;
+    for row in 0..=rows {
+        let (height, radius) = (row as f64 / rows as f64 * std::f64::consts::PI).sin_cos();
+        for step in 0..around {
+            let (y, x) = (step as f64 / around as f64 * std::f64::consts::TAU).sin_cos();
+            writeln!(text, "v {} {} {}", height * x, height * y, radius).unwrap();
+        }
+    }
+    for row in 0..rows {
+        for step in 0..around {
+            let [a, b] = [step, (step + 1) % around].map(|step| row * around + step + 1);
+            writeln!(text, "f {a} {} {} {b}", a + around, b + around).unwrap();
+        }
+    }
+    text
+}
+
 /// The length of all paths of an SVG.
 pub(crate) fn drawn_length(svg: &str) -> f64 {
     let mut length = 0.0;

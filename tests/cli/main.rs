@@ -7,6 +7,7 @@ mod fixture;
 mod pens;
 mod refusals;
 mod restyling;
+mod strokes;
 
 use fixture::Folder;
 

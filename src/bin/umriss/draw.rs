@@ -10,6 +10,7 @@ use crate::page_flags::PageFlags;
 use crate::pen_flags::PenFlags;
 use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
+use crate::stroke_flags::StrokeFlags;
 use clap::Args;
 use std::path::PathBuf;
 use umriss::drawing::Drawing;
@@ -61,6 +62,8 @@ pub(crate) struct Draw {
     #[command(flatten)]
     page: PageFlags,
     #[command(flatten)]
+    strokes: StrokeFlags,
+    #[command(flatten)]
     pen: PenFlags,
     #[command(flatten)]
     plotter: PlotterFlags,
@@ -96,7 +99,7 @@ impl Draw {
             }
         };
         let pieces = lines.pieces.len() as u64;
-        let options = self.page.options(notes.unit.unwrap_or_default());
+        let options = self.strokes.apply(self.page.options(notes.unit.unwrap_or_default()));
         let mut drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
         self.pen.apply(&mut drawing, plotter, &self.session, run);
         Ok(Computed { lines, notes, drawing })

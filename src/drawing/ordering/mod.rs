@@ -182,21 +182,30 @@ fn start_near(strokes: &Strokes, visits: &mut [Visit], home: DVec2) {
 fn drawn_so(strokes: &Strokes, visits: &[Visit]) -> Strokes {
     let mut drawn = Strokes::default();
     for visit in visits {
-        let points = strokes.get(visit.stroke as usize);
-        let ring = points.len() - 1;
-        match (is_closed(points), visit.reversed) {
-            (false, false) => drawn.push(points.iter().copied()),
-            (false, true) => drawn.push(points.iter().rev().copied()),
-            (true, false) => {
-                drawn.push((0..=ring).map(|step| points[(visit.start as usize + step) % ring]));
+        let (stroke, start) = (visit.stroke as usize, visit.start as usize);
+        let points = strokes.get(stroke);
+        let last = points.len() - 1;
+        let closed = is_closed(points);
+        // The node that comes at each step, forwards.
+        let at = |step: usize| if closed { (start + step) % last } else { step };
+        drawn.push_curved((0..=last).map(|step| {
+            if visit.reversed {
+                let after = strokes.bend(stroke, way(at(last - step), closed, last));
+                (points[at(last - step)], after.map(|[one, other]| [other, one]))
+            } else {
+                (
+                    points[at(step)],
+                    strokes.bend(stroke, if at(step) == 0 { last } else { at(step) }),
+                )
             }
-            (true, true) => {
-                let from = visit.start as usize % ring + ring;
-                drawn.push((0..=ring).map(|step| points[(from - step) % ring]));
-            }
-        }
+        }));
     }
     drawn
+}
+
+/// The node to which the way from node `at` leads.
+fn way(at: usize, closed: bool, last: usize) -> usize {
+    if closed { at % last + 1 } else { at + 1 }
 }
 
 #[cfg(test)]

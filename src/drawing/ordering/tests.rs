@@ -84,6 +84,37 @@ fn steps_help_and_are_reproducible() {
     assert!(length(Effort::Time(Duration::from_millis(20))) < greedy);
 }
 
+#[test]
+fn curves_are_reversed_and_turned_around_with_their_strokes() {
+    let bulge = |from: DVec2, to: DVec2| {
+        let side = (to - from).perp();
+        (to, Some([from.lerp(to, 0.2) + side, from.lerp(to, 0.9) + 0.3 * side]))
+    };
+    let curved = |corners: &[DVec2]| {
+        let mut nodes = vec![(corners[0], None)];
+        nodes.extend(corners.windows(2).map(|pair| bulge(pair[0], pair[1])));
+        nodes
+    };
+    let mut drawing = drawing(&[]);
+    let ring = [at(60, 60), at(60, 40), at(40, 40), at(40, 60), at(60, 60)];
+    let arcs = [[at(20, 70), at(0, 90)], [at(90, 20), at(30, 35)], [at(60, 45), at(150, 20)]];
+    let strokes = &mut drawing.layers[0].strokes;
+    strokes.push_curved(curved(&ring));
+    arcs.iter().for_each(|arc| strokes.push_curved(curved(arc)));
+    let cells = |drawing: &Drawing| {
+        let flat = drawing.layers[0].strokes.flat(1e-3);
+        let mut points: Vec<_> =
+            flat.iter().flatten().map(|p| (*p * 1e6).round().as_i64vec2().to_array()).collect();
+        points.sort_unstable();
+        points.dedup();
+        points
+    };
+    let before = (cells(&drawing), drawing.layers[0].strokes.clone());
+    drawing.order(Effort::Best);
+    assert_ne!(drawing.layers[0].strokes, before.1);
+    assert_eq!(cells(&drawing), before.0);
+}
+
 /// The grid of `side` by `side` squares, each with its diagonal, is one graph
 /// whose odd joints are known; as chaining leaves it.
 #[test]
@@ -105,7 +136,7 @@ fn a_grid_of_triangles_takes_half_its_odd_joints() {
     }
     let odd = degrees.values().filter(|degree| *degree % 2 == 1).count();
     let chained: Vec<_> =
-        crate::drawing::chaining::chain(&edges).iter().map(<[DVec2]>::to_vec).collect();
+        crate::drawing::chaining::chain(&edges, &[]).iter().map(<[DVec2]>::to_vec).collect();
     let trails = ordered(&chained, Effort::Best);
     assert_eq!(trails.len(), (odd / 2).max(1));
     assert_eq!(segments(trails.iter()), segments(edges.iter().map(|edge| &edge[..])));

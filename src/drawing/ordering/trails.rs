@@ -8,6 +8,7 @@
 //! and continues. What is left is one trail for each two odd joints of a
 //! connected part, or a single closed one where there are none.
 
+use super::super::smoothing::Node;
 use super::{Strokes, is_closed};
 use glam::DVec2;
 use rustc_hash::FxHashMap;
@@ -26,6 +27,10 @@ struct Guest {
     /// The next guest of the same host.
     next: u32,
 }
+
+/// The closed strokes that pass through a point, each with the number of the
+/// point in it.
+type Touching = FxHashMap<[u64; 2], Vec<(u32, u32)>>;
 
 /// The same lines in the fewest strokes. O(p) for p points, expected.
 pub(super) fn fewest(strokes: &Strokes) -> Strokes {
@@ -68,24 +73,23 @@ pub(super) fn fewest(strokes: &Strokes) -> Strokes {
     for host in hosts {
         points.clear();
         walk(strokes, &guests, &first_guest, host as u32, &mut points);
-        trails.push(points.iter().copied());
+        trails.push_curved(points.iter().copied());
     }
     trails
 }
 
 /// Which strokes are closed; and for each point at which a closed stroke
 /// touches another stroke, the closed ones with the number of the point.
-#[allow(clippy::type_complexity)]
-fn touching_rings(strokes: &Strokes) -> (Vec<bool>, FxHashMap<[u64; 2], Vec<(u32, u32)>>) {
+fn touching_rings(strokes: &Strokes) -> (Vec<bool>, Touching) {
     let rings: Vec<bool> = strokes.iter().map(is_closed).collect();
-    let mut touching: FxHashMap<[u64; 2], Vec<(u32, u32)>> = FxHashMap::default();
+    let mut touching = Touching::default();
     for (stroke, points) in strokes.iter().enumerate().filter(|(stroke, _)| rings[*stroke]) {
         for (number, point) in points[1..].iter().enumerate() {
             touching.entry(key(*point)).or_default().push((stroke as u32, number as u32 + 1));
         }
     }
     // A point that no other stroke has is of no use.
-    let mut shared = FxHashMap::default();
+    let mut shared = Touching::default();
     shared.reserve(touching.len() / 4);
     for (stroke, points) in strokes.iter().enumerate() {
         for point in points {
@@ -121,7 +125,7 @@ fn walk(
     guests: &[Guest],
     first_guest: &[u32],
     root: u32,
-    points: &mut Vec<DVec2>,
+    points: &mut Vec<Node>,
 ) {
     let begin = |stroke: u32, start: u32| {
         let ring = strokes.get(stroke as usize).len() as u32 - 1;
@@ -138,7 +142,7 @@ fn walk(
         own.sort_unstable_by(|a, b| b.cmp(a));
         Walk { stroke, start, step: 0, guests: own }
     };
-    points.push(strokes.get(root as usize)[0]);
+    points.push((strokes.get(root as usize)[0], None));
     let mut stack = vec![begin(root, 0)];
     while let Some(walk) = stack.last_mut() {
         let own = strokes.get(walk.stroke as usize);
@@ -157,6 +161,7 @@ fn walk(
         }
         walk.step += 1;
         let place = walk.start + walk.step;
-        points.push(own[if ring < place { place - ring } else { place } as usize]);
+        let node = if ring < place { place - ring } else { place } as usize;
+        points.push((own[node], strokes.bend(walk.stroke as usize, node)));
     }
 }

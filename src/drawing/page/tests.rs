@@ -169,9 +169,27 @@ fn pieces_of_one_run_become_one_segment_even_across_counts() {
     let count =
         |view: &VisibleLines| Drawing::new(view, &options).unwrap().layers[0].strokes.point_count();
     assert_eq!(count(&view), 2);
-    // Another run that goes on in the same direction keeps its joint.
+    // Another run that goes on collinearly needs no point either, a bend does.
     view.pieces[2].run = 8;
+    assert_eq!(count(&view), 2);
+    view.pieces[2].points[1].y = 0.5;
     assert_eq!(count(&view), 3);
+}
+
+#[test]
+fn classes_stay_apart_and_tiny_strokes_away_on_request() {
+    let mut view = sample();
+    view.pieces[1].class = LineClass::Crease;
+    let strokes =
+        |options: DrawingOptions| Drawing::new(&view, &options).unwrap().layers.remove(0).strokes;
+    let default = DrawingOptions::default();
+    assert!(is_closed(strokes(default).get(0)));
+    let apart = DrawingOptions { join: Join::Class, ..default };
+    let apart = strokes(apart);
+    assert_eq!((apart.len(), apart.get(0).len(), apart.get(1).len()), (2, 4, 2));
+    // On the page the crease is 95 mm long.
+    let min_length = Length::new(100.0).unwrap();
+    assert_eq!(strokes(DrawingOptions { join: Join::Class, min_length, ..default }).len(), 1);
 }
 
 proptest! {

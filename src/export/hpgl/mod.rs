@@ -37,6 +37,9 @@ pub use table::devices;
 /// Millimetres in one plotter unit of the generic device.
 pub const PLOTTER_UNIT: f64 = 0.025;
 
+/// How far polylines may be from the curves they stand for, plotter units.
+const FLATNESS: f64 = 0.2;
+
 /// How many characters an instruction may have, its semicolon included.
 const LONGEST: usize = 240;
 
@@ -80,6 +83,7 @@ pub fn to_hpgl(drawing: &Drawing) -> Result<String, ExportError> {
 /// If the device has no sheet of the page's size, or does not reach a stroke,
 /// or cannot draw at the speed asked for.
 pub fn to_hpgl_with(drawing: &Drawing, options: &HpglOptions) -> Result<String, ExportError> {
+    let drawing = &drawing.flat(FLATNESS * options.device.unit);
     let device = &options.device;
     let sheet = Sheet::new(device, drawing.size)?;
     check_reach(drawing, device, &sheet)?;

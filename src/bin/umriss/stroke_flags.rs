@@ -1,0 +1,41 @@
+//! Flags that say what strokes are made of.
+
+use clap::Args;
+use std::str::FromStr;
+use umriss::drawing::{DrawingError, DrawingOptions, Join, Length};
+
+/// Joining, simplifying, fitting.
+#[derive(Args)]
+#[command(next_help_heading = "Strokes")]
+pub(crate) struct StrokeFlags {
+    /// What may be joined to one stroke: all lines of a layer, or those of one class
+    /// [default: all]
+    #[arg(long, value_name = "WHAT", value_parser = parse::<Join>)]
+    join: Option<Join>,
+    /// Leave out points, staying within this distance of what was found, both ways
+    #[arg(long, value_name = "L", conflicts_with = "fit", value_parser = parse::<Length>)]
+    simplify: Option<Length>,
+    /// Fit curves within this distance, both ways; junctions and corners stay where they are
+    #[arg(long, value_name = "L", value_parser = parse::<Length>)]
+    fit: Option<Length>,
+    /// Leave out strokes shorter than this
+    #[arg(long, value_name = "L", value_parser = parse::<Length>)]
+    min_length: Option<Length>,
+}
+
+impl StrokeFlags {
+    /// The options with these wishes in them.
+    pub(crate) fn apply(&self, options: DrawingOptions) -> DrawingOptions {
+        DrawingOptions {
+            join: self.join.unwrap_or(options.join),
+            simplify: self.simplify.unwrap_or(options.simplify),
+            fit: self.fit.unwrap_or(options.fit),
+            min_length: self.min_length.unwrap_or(options.min_length),
+            ..options
+        }
+    }
+}
+
+fn parse<T: FromStr<Err = DrawingError>>(text: &str) -> Result<T, DrawingError> {
+    text.parse()
+}
