@@ -120,7 +120,10 @@ fn with_points(
 fn around(low: DVec2, high: DVec2) -> Bounds {
     let down = |value: f64| ((value - ON) as f32).next_down();
     let up = |value: f64| ((value + ON) as f32).next_up();
-    Bounds { low: [down(low.x), down(low.y), 0.0], high: [up(high.x), up(high.y), 0.0] }
+    Bounds {
+        low: [down(low.x), down(low.y), 0.0].into(),
+        high: [up(high.x), up(high.y), 0.0].into(),
+    }
 }
 
 fn key(point: DVec2) -> [u64; 2] {
