@@ -278,7 +278,7 @@ fn slivers() -> Outcome<()> {
             [one(box_of([0.0, 0.0], [ulp, 1.0])), one(box_of([0.0, 0.0], [1.0, 1.0]))],
         ),
         (
-            "25 squares of 4e-4 in one of 2e7, common",
+            "25 squares of 4e-4 beside one of 2e7",
             [MultiPolygon((0..25).map(tiny).collect()), one(box_of([1e7, -1e7], [1.1e7, 1e7]))],
         ),
         (

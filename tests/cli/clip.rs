@@ -71,7 +71,7 @@ fn fill_rules_are_those_of_the_file_unless_a_rule_is_given() {
 #[test]
 fn what_is_wrong_is_said_with_file_and_line() {
     let folder = folder();
-    folder.write("point.geojson", "{\"type\":\n\"Point\",\"coordinates\":[1,2]}");
+    folder.write("point.geojson", "\n{\"type\":\"Point\",\"coordinates\":[1,2]}");
     folder.write("curve.svg", "<svg>\n<path d=\"M0 0C1 1 2 2 3 3\"/></svg>");
     folder.fails(
         1,

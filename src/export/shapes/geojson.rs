@@ -36,9 +36,18 @@ pub(super) fn read(bytes: &[u8]) -> Result<ShapeFile, ExportError> {
         let text = error.to_string();
         // The place is told apart from the message.
         let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
-        ExportError::Shape { line: error.line().max(1), message }
+        // What is wrong with the whole object has no place of its own: it is
+        // where the object begins.
+        let line = if error.line() == 0 { first_line(bytes) } else { error.line() };
+        ExportError::Shape { line, message }
     })?;
     Ok(ShapeFile { parts: vec![ShapePart { polygons: areas.0, rule: FillRule::Polygons }] })
+}
+
+/// The line, from 1 on, of the first byte that is not space.
+fn first_line(bytes: &[u8]) -> usize {
+    let space = bytes.iter().take_while(|byte| byte.is_ascii_whitespace());
+    1 + space.filter(|&&byte| byte == b'\n').count()
 }
 
 /// Writes polygons as one multi-polygon.

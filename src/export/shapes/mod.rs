@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn errors_name_the_line_and_what_was_expected() {
         let wrong = [
-            (ShapeFormat::GeoJson, "{\n \"type\": \"Point\", \"coordinates\": [1, 2]}", "line 2"),
+            (ShapeFormat::GeoJson, "\n{\"type\": \"Point\", \"coordinates\": [1, 2]}", "line 2"),
             (ShapeFormat::GeoJson, "{\"type\": \"Polygon\",\n \"coordinates\": [[[0]]]}", "line 2"),
             (ShapeFormat::GeoJson, "{\"type\": \"Polygon\", \"coordinates\": [[0, 1]]}", "line 1"),
             (

@@ -1,19 +1,21 @@
 //! Exact shapes to floats and back, valid whatever is rounded.
 //!
-//! The grid is that of doubles. Vertices of the input are on it and stay
-//! where they are; crossings are moved to it, each coordinate by less than
-//! one unit in its last place. An edge that is moved may run across a vertex
-//! next to it, so what was rounded is taken as a new input and all its
-//! crossings are found, exactly; where there are any they are rounded in
-//! their turn, until there are none (snap rounding, Greene and Yao 1986,
-//! Hobby 1999, on an uneven grid and repeated; Halperin and Packer 2002
-//! repeat it too).
+//! Vertices of the input are doubles and stay where they are; crossings are
+//! moved to doubles, each coordinate by less than one unit in its last place.
+//! An edge that is moved may run across a vertex next to it, so what was
+//! rounded is taken as a new input and all its crossings are found, exactly;
+//! where there are any they are rounded in their turn, until there are none
+//! (snap rounding, Greene and Yao 1986, Hobby 1999; Halperin and Packer 2002
+//! repeat it too). These later crossings are put on an even grid, whose step
+//! is one unit in the last place of the largest coordinate, but not out of
+//! the box of either edge: near zero doubles are so dense that crossings
+//! would come nearer and nearer for a thousand rounds.
 //!
-//! It ends: a crossing is put into the box of either edge, whose ends are on
-//! the grid, so an edge becomes a chain that is monotone in x and in y, in
-//! which every repetition puts at least one more of the finitely many grid
-//! points of the box. In practice one look back finds nothing, and the
-//! second repetition is rare.
+//! It ends: a coordinate is from then on one on the grid or one that a vertex
+//! has, and these are finitely many. An edge becomes a chain within its box,
+//! monotone in x and in y, and every round puts at least one more of their
+//! points into a chain. In practice one look back finds nothing, and
+//! more than three rounds are rare.
 
 use super::{FillRule, PlaneShape, Polygon, Ring, ShapeError};
 use crate::kernel::predicates::{Chart, Exact, ImageLine, ImagePoint, Predicates};
@@ -31,8 +33,9 @@ pub struct Rounded {
     /// Polygons of rings that are not closed by a repeated corner.
     pub polygons: Vec<Vec<Vec<DVec2>>>,
     /// How often crossings were rounded. Every corner is nearer than this
-    /// times one unit in the last place, in each coordinate, to the border
-    /// of the exact shape; and the other way round.
+    /// times one unit in the last place of the largest coordinate, in x and
+    /// in y, to the border of the exact shape. The first round alone moves
+    /// each coordinate by less than one unit in its own last place.
     pub rounds: u32,
 }
 
@@ -128,27 +131,40 @@ impl PlaneShape {
     }
 
     /// All rings with their corners rounded; where all edges are between
-    /// vertices, crossings stay in the boxes of their edges.
+    /// vertices, crossings stay in the boxes of their edges and are put on
+    /// the grid.
     fn round_once(&self, stay: bool) -> Vec<Rings> {
         let points = self.points();
         let predicates = Predicates::<Exact>::new(&points);
         let Some(chart) = Chart::new(&points) else {
             return Vec::new();
         };
+        let step = self.grid_step();
         let place = |point: ImagePoint| match point {
             ImagePoint::Vertex(vertex) => self.vertex(vertex),
             ImagePoint::Crossing(lines) => {
                 let place = DVec2::from(predicates.round(&chart, point));
-                if stay {
-                    lines.iter().fold(place, |place, line| self.boxed(place, line))
-                } else {
-                    place
+                if !stay {
+                    return place;
                 }
+                // Exact, for the step is a power of two.
+                let even = (place / step).round() * step;
+                lines.iter().fold(even, |place, line| self.boxed(place, line))
             }
         };
         let ring = |ring: &Ring| ring.iter().map(|corner| place(corner.point)).collect();
         let rings = |polygon: &Polygon| polygon.rings.iter().map(ring).collect();
         self.polygons().iter().map(rings).collect()
+    }
+
+    /// One unit in the last place of the largest coordinate.
+    fn grid_step(&self) -> f64 {
+        let vertices = self.polygons().iter().flat_map(|polygon| &polygon.rings).flatten();
+        let largest = vertices.fold(0.0_f64, |largest, corner| match corner.point {
+            ImagePoint::Vertex(vertex) => largest.max(self.vertex(vertex).abs().max_element()),
+            ImagePoint::Crossing(_) => largest,
+        });
+        largest - largest.next_down()
     }
 
     /// The place in the box of an edge next to this one.
