@@ -37,6 +37,14 @@ fn command_lines_that_make_no_sense_end_with_two() {
             "raster cube.obj -o a.svg --show splits",
             "--show splits: z-buffer cuts no windows, expected --method warnock or warnock-vertex\n",
         ),
+        (
+            "raster cube.obj -o a.png --show coverage",
+            "--show coverage: z-buffer sees a pixel's centre only, expected --method a-buffer\n",
+        ),
+        (
+            "raster cube.obj -o a.png --opacity 0.5",
+            "--opacity, --pattern: expected --method a-buffer with --show shade\n",
+        ),
         ("raster cube.obj -o a.svg", "--output: only splits are drawn as SVG, expected a PNG\n"),
         ("draw cube.obj -o a.svg -o a.svg", "--output a.svg is given twice\n"),
         ("draw cube.obj -o -", "--output - needs --format to say what to write\n"),

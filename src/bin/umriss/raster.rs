@@ -11,22 +11,28 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use umriss::export::{boxes_to_svg, pixels_to_png, to_png, write_file};
+use umriss::fill::{Canvas, Pattern};
 use umriss::kernel::predicates::Exact;
-use umriss::model::FeatureOptions;
-use umriss::raster::{Method, Show, Subdivision, methods, warnock_windows};
+use umriss::model::{Color, FeatureOptions, View};
+use umriss::raster::{
+    ABufferOptions, Method, Samples, Shading, Show, Subdivision, coverage, methods, preview,
+    visible_fragments, warnock_windows,
+};
 use umriss::run::Run;
-use umriss::view::PreparedView;
+use umriss::view::{LineQuestion, PreparedView};
 
 const EXAMPLES: &str = "\
 Examples:
   umriss raster part.stl -o part.png
   umriss raster teapot.obj --method spanning --size 1024x768 --show depth -o teapot.png
+  umriss raster part.stl --method a-buffer --pattern hatch --opacity 0.6 -o glass.png
   umriss raster part.stl --method warnock --show splits -o windows.svg";
 
 /// Make an image by one of the image-space methods.
 ///
 /// At each pixel's centre the nearest face is found by exact signs, so that
-/// all methods give the same image. The reference is ray-cast.
+/// all methods give the same image. The reference is ray-cast. Shade by the
+/// a-buffer is anti-aliased: 16 sub-pixels, each found that way.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Raster {
@@ -42,10 +48,19 @@ pub(crate) struct Raster {
     /// Pixels of the image, from 3 to 8192 each way
     #[arg(long, value_name = "WxH", default_value = "512x512", value_parser = parse_size)]
     size: [u32; 2],
-    /// What to show: face (a colour for each), depth (near is dark), shade, splits (the windows of
-    /// Warnock's method)
+    /// What to show: face (a colour for each), depth (near is dark), shade, coverage (how much of
+    /// each pixel the a-buffer finds covered), splits (the windows of Warnock's method)
     #[arg(long, value_name = "WHAT", default_value = "shade", value_parser = parse_picture)]
     show: Picture,
+    /// How opaque faces are, from 0 to 1: shade by the a-buffer only
+    #[arg(long, value_name = "SHARE", value_parser = parse_share)]
+    opacity: Option<f32>,
+    /// Pattern on the faces: hatch, cross, dots, bricks. Shade by the a-buffer only
+    #[arg(long, value_name = "NAME", value_parser = parse_pattern)]
+    pattern: Option<Pattern>,
+    /// What the pattern stays with
+    #[arg(long, value_name = "WHAT", default_value = "page", value_parser = ["page", "object"])]
+    pattern_anchor: String,
     #[command(flatten)]
     model: ModelFlags,
     #[command(flatten)]
@@ -61,6 +76,7 @@ type NamedMethod = (&'static str, Method);
 #[derive(Clone, Copy, PartialEq)]
 enum Picture {
     Buffer(Show),
+    Coverage,
     Splits,
 }
 
@@ -73,6 +89,17 @@ impl Raster {
             return Err(Failure::usage(format!(
                 "--show splits: {method} cuts no windows, expected --method warnock or warnock-vertex"
             )));
+        }
+        if self.show == Picture::Coverage && !self.is_a_buffer() {
+            let method = self.method.0;
+            return Err(Failure::usage(format!(
+                "--show coverage: {method} sees a pixel's centre only, expected --method a-buffer"
+            )));
+        }
+        if (self.opacity.is_some() || self.pattern.is_some()) && !self.is_preview() {
+            return Err(Failure::usage(
+                "--opacity, --pattern: expected --method a-buffer with --show shade",
+            ));
         }
         if is_svg && self.show != Picture::Splits {
             return Err(Failure::usage("--output: only splits are drawn as SVG, expected a PNG"));
@@ -100,12 +127,51 @@ impl Raster {
             return if is_svg { Ok(svg.into_bytes()) } else { Ok(to_png(&svg, self.size[0])?) };
         }
         let show = match self.show {
-            Picture::Buffer(show) => show,
-            Picture::Splits => Show::Shade,
+            Picture::Buffer(show) if !self.is_preview() => show,
+            _ => {
+                let canvas = self.anti_aliased(&view, &question, &samples, run)?;
+                let color = |&[red, green, blue, _]: &[u8; 4]| Color([red, green, blue]);
+                let colors: Vec<Color> = canvas.pixels().iter().map(color).collect();
+                return Ok(pixels_to_png(self.size, &colors)?);
+            }
         };
         let (_, method) = self.method;
         let buffer = method(&view, &question, &samples, run)?;
         Ok(pixels_to_png(self.size, &show.colors(&mesh, &view.frame, &buffer))?)
+    }
+
+    /// What the A-buffer shows.
+    fn anti_aliased(
+        &self,
+        view: &View,
+        question: &LineQuestion<'_>,
+        samples: &Samples,
+        run: &Run<'_>,
+    ) -> Result<Canvas, Failure> {
+        let options = ABufferOptions::default();
+        if self.show == Picture::Coverage {
+            let fragments = visible_fragments::<Exact>(view, question, samples, options, run)?;
+            return Ok(coverage(&fragments));
+        }
+        let mut shading = Shading::new(view, question).with_opacity(self.opacity.unwrap_or(1.0));
+        if let Some(pattern) = self.pattern.clone() {
+            shading = match self.pattern_anchor.as_str() {
+                "object" => shading.with_pattern_of_objects(pattern, samples),
+                _ => shading.with_pattern(pattern),
+            };
+        }
+        let paint = |triangle, at| shading.paint(triangle, at);
+        let canvas = preview::<Exact>(view, question, samples, options, &paint, run)?;
+        Ok(canvas.on([255; 3]))
+    }
+
+    fn is_a_buffer(&self) -> bool {
+        self.method.0 == "a-buffer"
+    }
+
+    /// Whether the anti-aliased picture is asked for.
+    fn is_preview(&self) -> bool {
+        self.is_a_buffer() && self.show == Picture::Buffer(Show::Shade)
     }
 
     /// How the method cuts windows, if it does.
@@ -128,9 +194,23 @@ fn method_parser() -> impl TypedValueParser<Value = NamedMethod> {
 }
 
 fn parse_picture(name: &str) -> Result<Picture, String> {
+    match name {
+        "splits" => return Ok(Picture::Splits),
+        "coverage" => return Ok(Picture::Coverage),
+        _ => {}
+    }
     let buffer = Show::ALL.into_iter().find(|show| show.name() == name).map(Picture::Buffer);
-    buffer.or((name == "splits").then_some(Picture::Splits)).ok_or_else(|| {
+    buffer.ok_or_else(|| {
         let names = Show::ALL.map(Show::name).join(", ");
-        format!("expected one of {names}, splits")
+        format!("expected one of {names}, coverage, splits")
     })
+}
+
+fn parse_share(text: &str) -> Result<f32, String> {
+    let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "expected a number from 0 to 1".to_owned())
+}
+
+fn parse_pattern(name: &str) -> Result<Pattern, String> {
+    Pattern::from_name(name).ok_or_else(|| "expected hatch, cross, dots or bricks".to_owned())
 }
