@@ -31,6 +31,6 @@ impl Crossings {
     #[inline]
     pub fn candidates(&self, probe: &SegmentProbe, found: impl FnMut(u32)) {
         self.hierarchy
-            .visit(|node| node.may_hide(probe.bounds()) && probe.may_meet_image(node), found);
+            .visit(|group| group.hiding(probe.bounds()) & group.meeting_line(probe), found);
     }
 }

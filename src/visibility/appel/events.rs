@@ -129,7 +129,7 @@ impl<P: Policy> Walker<'_, P> {
             _ => {
                 let probe = walk.probe;
                 self.question.hierarchy.visit(
-                    |node| node.overlaps(probe.bounds()) && probe.may_meet_image(node),
+                    |group| group.overlapping(probe.bounds()) & group.meeting_line(&probe),
                     |triangle| events.extend(self.piercing(walk, triangle)),
                 );
             }

@@ -9,10 +9,10 @@
 use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
-use crate::run::{Run, fill_indexed, map_chunks};
-use crate::spatial::{Bounds, Hierarchy, Rounding};
+use crate::run::{Run, map_chunks};
+use crate::spatial::{Hierarchy, Rounding};
 use crate::view::{LinePiece, LineQuestion};
-use glam::DVec2;
+use glam::{DVec2, Vec3A};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
@@ -206,15 +206,18 @@ fn image_hierarchy(pieces: &[RoundedPiece]) -> Hierarchy {
         .flat_map(|piece| piece.image)
         .fold(empty, |(low, high), p| (low.min(p), high.max(p)));
     let rounding = Rounding::for_ranges([low.x..high.x, low.y..high.y, -1.0..1.0]);
-    let mut boxes = vec![Bounds::EMPTY; pieces.len()];
-    fill_indexed(&mut boxes, |i| {
+    let bounds = |i: usize| {
         let [a, b] = pieces[i].image;
         let slack = DVec2::splat(pieces[i].slack);
         let direction = direction_range(b - a, pieces[i].slack);
         let (low, high) = (a.min(b) - slack, a.max(b) + slack);
         rounding.around(low.extend(direction[0]), high.extend(direction[1]))
-    });
-    Hierarchy::new(&boxes)
+    };
+    let place = |i: usize| {
+        let start = pieces[i].image[0];
+        Vec3A::new(rounding.nearest(0, start.x), rounding.nearest(1, start.y), 0.0)
+    };
+    Hierarchy::of(pieces.len(), place, bounds)
 }
 
 /// The range of a piece's direction, either way along it being the same: a
