@@ -80,8 +80,8 @@ impl Drawing {
             (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
-        let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i], options));
-        let layers = finished.into_iter().filter(|layer| !layer.strokes.is_empty()).collect();
+        let finished = plans.iter().zip(solid).map(|(plan, solid)| finish(plan, solid, options));
+        let layers = finished.filter(|layer| !layer.strokes.is_empty()).collect();
         Ok(Drawing { size: placement.size, scale: placement.scale, layers })
     }
 
@@ -127,10 +127,10 @@ fn join(
 }
 
 /// A layer of joined strokes in its style.
-fn finish(plan: &LayerPlan, solid: &Strokes, options: &DrawingOptions) -> Layer {
+fn finish(plan: &LayerPlan, solid: Strokes, options: &DrawingOptions) -> Layer {
     let strokes = match (plan.hidden, options.hidden) {
         (true, Hidden::Dashed) => dashed(&solid.flat(FLATNESS), options.hidden_width),
-        _ => solid.clone(),
+        _ => solid,
     };
     let width = if plan.hidden { options.hidden_width } else { options.visible_width };
     let style = LineStyle { width, color: Color([0; 3]) };

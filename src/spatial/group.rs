@@ -20,19 +20,27 @@ impl Group {
     /// No boxes yet.
     const NOTHING: Group = Group { low: [[f32::NAN; SIZE]; 3], high: [[f32::NAN; SIZE]; 3] };
 
-    /// Groups at most eight boxes, and finds the box around them all. Empty
-    /// boxes are as good as none.
-    pub(super) fn around(boxes: impl Iterator<Item = Bounds>) -> (Self, Bounds) {
+    /// Groups at most eight boxes. Empty boxes are as good as none.
+    pub(super) fn of(boxes: impl Iterator<Item = Bounds>) -> Self {
         let mut group = Group::NOTHING;
-        let mut all = Bounds::EMPTY;
         for (place, bounds) in boxes.take(SIZE).enumerate().filter(|(_, one)| !one.is_empty()) {
             for axis in 0..3 {
                 group.low[axis][place] = bounds.low[axis];
                 group.high[axis][place] = bounds.high[axis];
             }
-            all = all.union(&bounds);
         }
-        (group, all)
+        group
+    }
+
+    /// The box around all boxes.
+    pub(super) fn around(&self) -> Bounds {
+        // The smaller of a number and NaN is the number.
+        let least = |list: &[f32; SIZE]| list.iter().fold(f32::INFINITY, |a, &b| a.min(b));
+        let most = |list: &[f32; SIZE]| list.iter().fold(f32::NEG_INFINITY, |a, &b| a.max(b));
+        Bounds {
+            low: self.low.each_ref().map(least).into(),
+            high: self.high.each_ref().map(most).into(),
+        }
     }
 
     /// One of the boxes.
@@ -137,8 +145,8 @@ mod tests {
             .map(|i| bounds([i as f32, 0.0, -(i as f32)], [i as f32 + 1.0, 1.0, 2.0]))
             .chain([Bounds::ALL])
             .collect();
-        let (group, around) = Group::around(all.iter().copied());
-        assert_eq!(around, Bounds::ALL);
+        let group = Group::of(all.iter().copied());
+        assert_eq!(group.around(), Bounds::ALL);
         for own in [bounds([2.5, 0.5, -3.0], [4.0, 3.0, -1.5]), bounds([9.0; 3], [9.0; 3])] {
             for (i, other) in all.iter().enumerate() {
                 assert_eq!(group.get(i), *other);
@@ -151,8 +159,8 @@ mod tests {
 
     #[test]
     fn nothing_overlaps_places_without_a_box() {
-        let (group, around) = Group::around([Bounds::EMPTY, Bounds::ALL].into_iter());
-        assert_eq!(around, Bounds::ALL);
+        let group = Group::of([Bounds::EMPTY, Bounds::ALL].into_iter());
+        assert_eq!(group.around(), Bounds::ALL);
         assert_eq!(group.overlapping(&Bounds::ALL), 0b10);
         assert_eq!(group.hiding(&Bounds::ALL), 0b10);
     }
@@ -160,7 +168,7 @@ mod tests {
     #[test]
     fn a_line_misses_boxes_beside_it() {
         let boxes = (0..8).map(|i| bounds([i as f32 / 8.0, 0.0, 0.0], [i as f32 / 8.0, 0.1, 0.0]));
-        let (group, _) = Group::around(boxes);
+        let group = Group::of(boxes);
         let probe = SegmentProbe::new(Bounds::ALL, [0.0, 0.0], [1.0, 0.4]);
         // The line is 0.1 high at 0.25.
         assert_eq!(group.meeting_line(&probe), 0b0000_0111);

@@ -11,11 +11,9 @@
 
 use super::Bounds;
 use super::group::{Group, SIZE, places};
-use crate::run::{map_chunks, map_indexed};
+use crate::run::map_indexed;
 use glam::Vec3A;
-
-/// Groups that one thread makes at a time.
-const PART: usize = 1024;
+use std::cell::Cell;
 
 /// Boxes over items `0..n`.
 #[derive(Debug, Clone)]
@@ -44,12 +42,11 @@ impl Hierarchy {
         bounds: impl Fn(usize) -> Bounds + Sync + Send,
     ) -> Self {
         let items = along_curve(count, place);
-        let (lowest, mut around) = grouped(items.len(), |i| bounds(items[i] as usize));
-        let mut levels = vec![lowest];
-        while around.len() > 1 {
-            let (level, above) = grouped(around.len(), |i| around[i]);
-            levels.push(level);
-            around = above;
+        let mut levels = vec![grouped(items.len(), |i| bounds(items[i] as usize))];
+        while let Some(below) = levels.last()
+            && below.len() > 1
+        {
+            levels.push(grouped(below.len(), |i| below[i].around()));
         }
         Hierarchy { items, levels }
     }
@@ -69,6 +66,49 @@ impl Hierarchy {
     /// among those that `may` chooses from its group. In a fixed order.
     #[inline]
     pub fn visit(&self, may: impl Fn(&Group) -> u8, mut found: impl FnMut(u32)) {
+        self.descend(may, |group, chosen| self.items_of(group, chosen, &mut found));
+    }
+
+    /// The lowest groups of which `may` chooses something, if they are at
+    /// most `most`.
+    pub(super) fn lowest_groups(
+        &self,
+        may: impl Fn(&Group) -> u8,
+        most: usize,
+    ) -> Option<Vec<u32>> {
+        let mut found = Vec::new();
+        let count = Cell::new(0);
+        let until_too_many = |group: &Group| if count.get() > most { 0 } else { may(group) };
+        self.descend(until_too_many, |group, _| {
+            found.push(group as u32);
+            count.set(found.len());
+        });
+        (found.len() <= most).then_some(found)
+    }
+
+    /// The same as `visit` for one of the lowest groups.
+    #[inline]
+    pub(super) fn visit_group(
+        &self,
+        group: u32,
+        may: impl Fn(&Group) -> u8,
+        mut found: impl FnMut(u32),
+    ) {
+        let group = group as usize;
+        let chosen = may(&self.levels[0][group]) & self.taken(0, group);
+        self.items_of(group, chosen, &mut found);
+    }
+
+    /// Calls `found` with the chosen items of one of the lowest groups.
+    #[inline(always)]
+    fn items_of(&self, group: usize, chosen: u8, found: &mut impl FnMut(u32)) {
+        places(chosen).for_each(|place| found(self.items[group * SIZE + place]));
+    }
+
+    /// Calls `found` with the lowest groups of which `may` chooses something,
+    /// and with what that is.
+    #[inline(always)]
+    fn descend(&self, may: impl Fn(&Group) -> u8, mut found: impl FnMut(usize, u8)) {
         if self.items.is_empty() {
             return;
         }
@@ -80,15 +120,17 @@ impl Hierarchy {
         while height > 0 {
             height -= 1;
             let (level, group) = stack[height];
-            let first = group as usize * SIZE;
-            let chosen = may(&self.levels[level as usize][group as usize]);
-            for place in places(chosen & self.taken(level as usize, group as usize)) {
-                if level == 0 {
-                    found(self.items[first + place]);
-                } else {
-                    stack[height] = (level - 1, (first + place) as u32);
-                    height += 1;
+            let (depth, group) = (level as usize, group as usize);
+            let chosen = may(&self.levels[depth][group]) & self.taken(depth, group);
+            if level == 0 {
+                if chosen != 0 {
+                    found(group, chosen);
                 }
+                continue;
+            }
+            for place in places(chosen) {
+                stack[height] = (level - 1, (group * SIZE + place) as u32);
+                height += 1;
             }
         }
     }
@@ -195,26 +237,19 @@ impl Hierarchy {
     }
 }
 
-/// Groups boxes `0..count`, and the boxes around the groups.
-fn grouped(
-    count: usize,
-    bounds: impl Fn(usize) -> Bounds + Sync + Send,
-) -> (Vec<Group>, Vec<Bounds>) {
-    let parts = map_chunks(count, SIZE * PART, |part| {
-        let firsts = part.clone().step_by(SIZE);
-        firsts
-            .map(|first| Group::around((first..part.end.min(first + SIZE)).map(&bounds)))
-            .unzip::<_, _, Vec<_>, Vec<_>>()
-    });
-    let (groups, around): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
-    (groups.concat(), around.concat())
+/// Groups boxes `0..count`.
+fn grouped(count: usize, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Vec<Group> {
+    map_indexed(count.div_ceil(SIZE), |group| {
+        let first = group * SIZE;
+        Group::of((first..count.min(first + SIZE)).map(&bounds))
+    })
 }
 
-/// The items sorted by the cells of a space-filling curve. There are about
+/// The items sorted by the cells of a space-filling curve. There are at most
 /// as many cells as items, so sorting is counting; within a cell items keep
 /// their order.
 fn along_curve(count: usize, place: impl Fn(usize) -> Vec3A + Sync + Send) -> Vec<u32> {
-    let axis_bits = (count.max(1).ilog2() / 3 + 1).min(8);
+    let axis_bits = (count.max(1).ilog2() / 3).clamp(1, 8);
     let shift = 63 - 3 * axis_bits;
     let cells = map_indexed(count, |i| (morton_code(place(i)) >> shift) as u32);
     let mut next = vec![0_u32; (1 << (3 * axis_bits)) + 1];

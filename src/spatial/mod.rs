@@ -9,7 +9,7 @@ mod hierarchy;
 mod probe;
 
 pub use bounds::{Bounds, Rounding};
-pub use crossings::Crossings;
+pub use crossings::{Crossings, Nearby};
 pub use group::Group;
 pub use hierarchy::Hierarchy;
 pub use probe::SegmentProbe;

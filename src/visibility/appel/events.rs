@@ -42,7 +42,7 @@ impl<P: Policy> Walker<'_, P> {
         let mut tested = 0;
         let mut events = std::mem::take(&mut self.events);
         let mut met_ends = [false; 2];
-        self.effective.candidates(&walk.probe, |index| {
+        self.effective.candidates_among(&self.nearby, &walk.probe, |index| {
             tested += 1;
             events.extend(self.crossing(walk, index, &mut met_ends));
         });

@@ -9,7 +9,7 @@
 use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
-use crate::run::{Run, map_chunks};
+use crate::run::{Run, concat_map, map_chunks};
 use crate::spatial::{Hierarchy, Rounding};
 use crate::view::{LinePiece, LineQuestion};
 use glam::{DVec2, Vec3A};
@@ -26,28 +26,27 @@ pub(super) fn resolve_coincident<P: Policy>(
     let groups = groups_of::<P>(question, pieces, run);
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
-        let mut found = Resolved::default();
+        let mut found = Resolved { pieces: Vec::with_capacity(part.len()), runs: 0 };
         for group in part {
             found.add(question, &predicates, pieces, groups.get(group));
         }
         (found, predicates.counters())
     });
-    let mut reduced = Vec::with_capacity(pieces.len());
     let mut runs = 0;
-    for (found, counters) in resolved {
-        let renumbered = |piece: LinePiece| LinePiece { run: runs + piece.run, ..piece };
-        reduced.extend(found.pieces.into_iter().map(renumbered));
+    let mut first_runs = Vec::with_capacity(resolved.len());
+    for (found, counters) in &resolved {
+        first_runs.push(runs);
         runs += found.runs;
-        run.merge(&counters);
+        run.merge(counters);
     }
-    reduced
+    let lists: Vec<&[LinePiece]> = resolved.iter().map(|(found, _)| &found.pieces[..]).collect();
+    concat_map(&lists, |part, piece| LinePiece { run: first_runs[part] + piece.run, ..*piece })
 }
 
 /// Groups that one task resolves.
-const PART: usize = 1024;
+const PART: usize = 2048;
 
 /// What becomes of some groups.
-#[derive(Default)]
 struct Resolved {
     pieces: Vec<LinePiece>,
     /// Runs are numbered from 0 to this.

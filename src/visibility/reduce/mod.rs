@@ -13,13 +13,13 @@ mod rounded;
 
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::LineOrigin;
-use crate::run::{Cancelled, Counters, Run, map_chunks};
+use crate::run::{Cancelled, Counters, Run, concat_map, map_chunks};
 use crate::view::{ExactLines, LinePiece, LineQuestion, LineSource, VisibleLines};
 use coincident::resolve_coincident;
 use rounded::{RoundedPiece, round_line};
 
 /// Lines that one task rounds.
-const PART: usize = 512;
+const PART: usize = 2048;
 
 /// Reduces coincident lines to one and rounds all coordinates to the view
 /// frame. Expected O(n log n) for n pieces.
@@ -35,13 +35,14 @@ pub fn reduce<P: Policy>(
     let pieces = run.stage("rounding", answer.piece_count() as u64, || {
         let parts = map_chunks(answer.len(), PART, |part| {
             let predicates = Predicates::<P>::new(question.points);
-            let mut pieces = Vec::new();
+            let count = part.clone().map(|line| answer.line(line).len()).sum();
+            let mut pieces = Vec::with_capacity(count);
             for line in part {
                 round_line(question, &predicates, line as u32, answer.line(line), &mut pieces);
             }
             (pieces, predicates.counters())
         });
-        gather(parts, run)
+        gather(&parts, run)
     });
     run.check()?;
     let pieces = run.stage("coincident lines", pieces.len() as u64, || {
@@ -54,13 +55,10 @@ pub fn reduce<P: Policy>(
 }
 
 /// Joins the results of parallel parts.
-fn gather<T: Clone>(parts: Vec<(Vec<T>, Counters)>, run: &Run<'_>) -> Vec<T> {
-    let mut all = Vec::with_capacity(parts.iter().map(|(list, _)| list.len()).sum());
-    for (list, counters) in parts {
-        all.extend(list);
-        run.merge(&counters);
-    }
-    all
+fn gather<T: Copy + Send + Sync>(parts: &[(Vec<T>, Counters)], run: &Run<'_>) -> Vec<T> {
+    parts.iter().for_each(|(_, counters)| run.merge(counters));
+    let lists: Vec<&[T]> = parts.iter().map(|(list, _)| &list[..]).collect();
+    concat_map(&lists, |_, piece| *piece)
 }
 
 /// The public form of a piece.
