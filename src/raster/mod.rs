@@ -9,6 +9,7 @@
 
 mod a_buffer;
 mod box_tree;
+mod front_to_back;
 mod item_buffer;
 mod methods;
 mod picture;
@@ -27,6 +28,7 @@ pub use a_buffer::{
     coverage, preview, visible_fragments,
 };
 pub use box_tree::BoxTree;
+pub use front_to_back::{OrderError, front_to_back};
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
 pub use picture::Show;

@@ -5,7 +5,10 @@ use crate::scenes::*;
 use glam::DVec3;
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, View};
-use umriss::raster::{Compare, ItemBuffer, Samples, c_buffer, span_buffer, span_buffer_with};
+use umriss::raster::{
+    Compare, ItemBuffer, OrderError, Samples, c_buffer, front_to_back, span_buffer,
+    span_buffer_with,
+};
 use umriss::run::Run;
 use umriss::view::LineQuestion;
 
@@ -203,4 +206,56 @@ fn a_known_order_needs_no_depths() {
         assert!(samples_of(&some).all(|(c, r)| some.item(c, r).is_none_or(|item| item == 0)));
     })
     .unwrap();
+}
+
+#[test]
+fn an_order_is_found_where_there_is_one() {
+    let mut ordered = 0;
+    for seed in 0..400 {
+        let count = 2 + seed as usize % 9;
+        let triangles = soup(seed, count, (seed % 2 == 0).then_some(5.0));
+        let _ = ask(&mesh(&triangles), &front(), 33, |view, question, samples| {
+            let judge = rays(view, question, samples);
+            match front_to_back::<Exact>(question, &Run::default()) {
+                Ok(order) => {
+                    let run = Run::default();
+                    let image = c_buffer::<Exact>(view, question, samples, &order, &run).unwrap();
+                    // Of two that are equally near at a sample, the order has
+                    // the one first that is nearer beside it.
+                    for (c, r) in samples_of(&judge) {
+                        let [own, other] = [&image, &judge].map(|image| image.depth(c, r));
+                        let same = image.item(c, r) == judge.item(c, r);
+                        assert!(same || (own - other).abs() < 1e-14, "seed {seed}: {c}, {r}");
+                    }
+                    ordered += 1;
+                }
+                Err(OrderError::Crossing(..) | OrderError::Cycle(_)) => {}
+                Err(OrderError::Cancelled(_)) => panic!("seed {seed} was not cancelled"),
+            }
+        });
+    }
+    assert!((50..350).contains(&ordered), "{ordered}");
+}
+
+#[test]
+fn bars_in_a_ring_have_no_order() {
+    let bar = |a: DVec3, b: DVec3, across: DVec3| [[a, b, b + across], [a, b + across, a + across]];
+    let p = DVec3::new;
+    // Each begins behind the one before it and ends in front of the next.
+    let bars = [
+        bar(p(0.0, 2.0, 0.0), p(10.0, 0.0, 0.0), p(0.0, 0.0, 1.0)),
+        bar(p(9.0, 2.0, 0.0), p(9.0, 0.0, 10.0), p(1.0, 0.0, 0.0)),
+        bar(p(10.0, 2.0, 9.0), p(0.0, 0.0, 9.0), p(0.0, 0.0, 1.0)),
+        bar(p(0.0, 2.0, 10.0), p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)),
+    ];
+    let order = |bars: &[[Triangle; 2]]| {
+        ask(&mesh(&bars.concat()), &front(), 33, |_, question, _| {
+            front_to_back::<Exact>(question, &Run::default())
+        })
+        .unwrap()
+    };
+    assert!(matches!(order(&bars), Err(OrderError::Cycle(_))), "{:?}", order(&bars));
+    assert_eq!(order(&bars[..3]).map(|order| order.len()), Ok(6));
+    let crossing = order(&[[crossing()[0], crossing()[1]]]);
+    assert_eq!(crossing, Err(OrderError::Crossing(0, 1)));
 }

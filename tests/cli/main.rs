@@ -8,6 +8,8 @@ mod pens;
 mod refusals;
 mod restyling;
 mod strokes;
+#[path = "../fill/tiny_font.rs"]
+mod tiny_font;
 
 use fixture::Folder;
 
@@ -326,6 +328,62 @@ fn the_a_buffer_shows_coverage_and_a_smooth_preview() {
         assert!(!images[..i].contains(image), "{i}");
     }
     assert_eq!(images[1], image("--opacity 1"));
+}
+
+#[test]
+fn the_ordered_span_buffer_draws_what_has_an_order() {
+    let folder = Folder::with_cube();
+    let image = |flags: &str| {
+        folder.succeeds(&format!("raster cube.obj {flags} --size 48x48 -o a.png"));
+        folder.bytes("a.png")
+    };
+    assert_eq!(image("--method c-buffer"), image("--method z-buffer"));
+    let cross = "v 0 0 0\nv 2 0 0\nv 1 0 2\nv 1 -1 0.5\nv 1 1 0.5\nv 1 0 1.5\nf 1 2 3\nf 4 5 6\n";
+    folder.write("cross.obj", cross);
+    let message = "umriss: c-buffer: triangles 0 and 1 are each in front of the other \
+                   somewhere, expected another method\n";
+    folder.fails(1, "raster cross.obj --method c-buffer -o b.png", message);
+    let compared = |at: &str| {
+        let flags = format!("--method span-buffer --compare {at} --show face");
+        folder.succeeds(&format!("raster cross.obj {flags} --size 64x64 -o a.png"));
+        folder.bytes("a.png")
+    };
+    // The known failure, and its repair.
+    assert_ne!(compared("middle"), compared("crossings"));
+}
+
+#[test]
+fn colours_are_poured_over_what_is_connected() {
+    let folder = Folder::with_cube();
+    let image = |flags: &str| {
+        folder.succeeds(&format!("raster cube.obj --show face --size 32x32 {flags} -o a.png"));
+        folder.bytes("a.png")
+    };
+    let plain = image("");
+    let poured = image("--flood 0,0,#102030");
+    assert_ne!(plain, poured);
+    // From anywhere in the same area.
+    assert_eq!(poured, image("--flood 31,0,#102030"));
+    assert_eq!(plain, image("--flood 0,0,#102030 --flood 0,0,#ffffff"));
+    let message = "umriss: --flood 40,2: expected a pixel of an image of 32 x 32\n";
+    folder.fails(2, "raster cube.obj --flood 40,2,#102030 --size 32x32 -o b.png", message);
+}
+
+#[test]
+fn a_caption_is_written_in_the_font_of_a_file() {
+    let folder = Folder::with_cube();
+    let image = |flags: &str| {
+        folder.succeeds(&format!("raster cube.obj --size 64x64 {flags} -o a.png"));
+        folder.bytes("a.png")
+    };
+    std::fs::write(folder.path().join("tiny.ttf"), tiny_font::tiny_font()).unwrap();
+    let captions = ["", "--caption o --font tiny.ttf", "--caption oo --font tiny.ttf"].map(image);
+    assert!(captions[0] != captions[1] && captions[1] != captions[2]);
+    let large = image("--caption o --font tiny.ttf --caption-size 30");
+    assert!(large != captions[1]);
+    folder.write("no.ttf", "no font");
+    let message = "umriss: no.ttf: the font cannot be read: unknown magic\n";
+    folder.fails(1, "raster cube.obj --caption cube --font no.ttf -o b.png", message);
 }
 
 #[test]

@@ -6,6 +6,8 @@ mod floods;
 mod polygons;
 #[cfg(feature = "text")]
 mod text;
+#[cfg(feature = "text")]
+mod tiny_font;
 
 /// Whole numbers below a limit.
 pub(crate) fn random(seed: u64) -> impl FnMut(i64) -> i64 {

@@ -17,6 +17,8 @@ mod camera_flags;
 mod clip;
 mod draw;
 mod failure;
+#[cfg(feature = "png")]
+mod finish;
 mod info;
 mod line_flags;
 mod model_flags;

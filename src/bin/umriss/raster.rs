@@ -2,6 +2,7 @@
 
 use crate::camera_flags::CameraFlags;
 use crate::failure::Failure;
+use crate::finish::FinishFlags;
 use crate::model_flags::ModelFlags;
 use crate::models::read_scene;
 use crate::outputs::print;
@@ -15,8 +16,8 @@ use umriss::fill::{Canvas, Pattern};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Color, FeatureOptions, View};
 use umriss::raster::{
-    ABufferOptions, Method, Samples, Shading, Show, Subdivision, coverage, methods, preview,
-    visible_fragments, warnock_windows,
+    ABufferOptions, Compare, Method, Samples, Shading, Show, Subdivision, c_buffer, coverage,
+    front_to_back, methods, preview, span_buffer_with, visible_fragments, warnock_windows,
 };
 use umriss::run::Run;
 use umriss::view::{LineQuestion, PreparedView};
@@ -26,6 +27,7 @@ Examples:
   umriss raster part.stl -o part.png
   umriss raster teapot.obj --method spanning --size 1024x768 --show depth -o teapot.png
   umriss raster part.stl --method a-buffer --pattern hatch --opacity 0.6 -o glass.png
+  umriss raster part.stl --show face --flood 5,5,#d8e8f0 --caption 'part 7' --font sans.ttf -o p.png
   umriss raster part.stl --method warnock --show splits -o windows.svg";
 
 /// Make an image by one of the image-space methods.
@@ -61,6 +63,12 @@ pub(crate) struct Raster {
     /// What the pattern stays with
     #[arg(long, value_name = "WHAT", default_value = "page", value_parser = ["page", "object"])]
     pattern_anchor: String,
+    /// Where the span-buffer compares spans: start and middle are known to fail, start where
+    /// triangles have a common corner, both where they pass through one another
+    #[arg(long, value_name = "WHERE", value_parser = parse_compare)]
+    compare: Option<Compare>,
+    #[command(flatten)]
+    finish: FinishFlags,
     #[command(flatten)]
     model: ModelFlags,
     #[command(flatten)]
@@ -69,8 +77,22 @@ pub(crate) struct Raster {
     session: RunFlags,
 }
 
-/// A line of the table of methods.
-type NamedMethod = (&'static str, Method);
+/// A method by its name.
+type NamedMethod = (&'static str, Chosen);
+
+#[derive(Clone, Copy)]
+enum Chosen {
+    /// One that takes any scene.
+    Table(Method),
+    /// The ordered span buffer, which needs an order from front to back.
+    CBuffer,
+}
+
+/// All methods by name.
+fn named_methods() -> impl Iterator<Item = NamedMethod> {
+    let table = methods::<Exact>().into_iter();
+    table.map(|(name, method)| (name, Chosen::Table(method))).chain([("c-buffer", Chosen::CBuffer)])
+}
 
 /// What is shown: something of every method, or what only one has.
 #[derive(Clone, Copy, PartialEq)]
@@ -101,6 +123,10 @@ impl Raster {
                 "--opacity, --pattern: expected --method a-buffer with --show shade",
             ));
         }
+        if self.compare.is_some() && self.method.0 != "span-buffer" {
+            return Err(Failure::usage("--compare: expected --method span-buffer"));
+        }
+        self.finish.check(self.size)?;
         if is_svg && self.show != Picture::Splits {
             return Err(Failure::usage("--output: only splits are drawn as SVG, expected a PNG"));
         }
@@ -131,13 +157,27 @@ impl Raster {
             _ => {
                 let canvas = self.anti_aliased(&view, &question, &samples, run)?;
                 let color = |&[red, green, blue, _]: &[u8; 4]| Color([red, green, blue]);
-                let colors: Vec<Color> = canvas.pixels().iter().map(color).collect();
+                let colors = canvas.pixels().iter().map(color).collect();
+                let colors = self.finish.apply(self.size, colors)?;
                 return Ok(pixels_to_png(self.size, &colors)?);
             }
         };
-        let (_, method) = self.method;
-        let buffer = method(&view, &question, &samples, run)?;
-        Ok(pixels_to_png(self.size, &show.colors(&mesh, &view.frame, &buffer))?)
+        let buffer = match self.method {
+            (_, Chosen::CBuffer) => {
+                let order = front_to_back::<Exact>(&question, run).map_err(|error| {
+                    Failure::failed(format!("c-buffer: {error}, expected another method"))
+                })?;
+                c_buffer::<Exact>(&view, &question, &samples, &order, run)?
+            }
+            (_, Chosen::Table(method)) => match self.compare {
+                Some(compare) => {
+                    span_buffer_with::<Exact>(&view, &question, &samples, compare, run)?
+                }
+                None => method(&view, &question, &samples, run)?,
+            },
+        };
+        let colors = show.colors(&mesh, &view.frame, &buffer);
+        Ok(pixels_to_png(self.size, &self.finish.apply(self.size, colors)?)?)
     }
 
     /// What the A-buffer shows.
@@ -186,9 +226,9 @@ impl Raster {
 
 /// Takes what is in the table.
 fn method_parser() -> impl TypedValueParser<Value = NamedMethod> {
-    let names = methods::<Exact>().into_iter().map(|(name, _)| name);
+    let names = named_methods().map(|(name, _)| name);
     PossibleValuesParser::new(names).try_map(|name| {
-        let found = methods::<Exact>().into_iter().find(|(other, _)| *other == name);
+        let found = named_methods().find(|(other, _)| *other == name);
         found.ok_or("expected a method of the table")
     })
 }
@@ -204,6 +244,15 @@ fn parse_picture(name: &str) -> Result<Picture, String> {
         let names = Show::ALL.map(Show::name).join(", ");
         format!("expected one of {names}, coverage, splits")
     })
+}
+
+fn parse_compare(name: &str) -> Result<Compare, String> {
+    match name {
+        "start" => Ok(Compare::Start),
+        "middle" => Ok(Compare::Middle),
+        "crossings" => Ok(Compare::Crossings),
+        _ => Err("expected start, middle or crossings".to_owned()),
+    }
 }
 
 fn parse_share(text: &str) -> Result<f32, String> {
