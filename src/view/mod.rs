@@ -2,12 +2,14 @@
 //! asked ([`LineQuestion`]) and what it answers ([`ExactLines`], rounded
 //! and reduced to [`VisibleLines`]).
 
+mod crossing;
 mod exact_lines;
 mod prepare;
 mod question;
 mod visible_lines;
 
 pub use crate::model::{Frame, LineClass, Projection};
+pub use crossing::Crossing;
 pub use exact_lines::{ExactLines, ExactPiece};
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};

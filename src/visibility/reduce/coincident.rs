@@ -6,12 +6,11 @@
 //! is drawn. Rounded coordinates only dismiss pairs that are clearly not
 //! collinear and order ends that are clearly apart, both with proven slack.
 
-use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
 use crate::run::{Run, fill_indexed, map_chunks};
 use crate::spatial::{Bounds, Hierarchy, Rounding};
-use crate::view::{LinePiece, LineQuestion};
+use crate::view::LineQuestion;
 use glam::DVec2;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -22,7 +21,7 @@ pub(super) fn resolve_coincident<P: Policy>(
     question: &LineQuestion<'_>,
     pieces: &[RoundedPiece],
     run: &Run<'_>,
-) -> Vec<LinePiece> {
+) -> Vec<RoundedPiece> {
     let groups = groups_of::<P>(question, pieces, run);
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
@@ -35,7 +34,7 @@ pub(super) fn resolve_coincident<P: Policy>(
     let mut reduced = Vec::with_capacity(pieces.len());
     let mut runs = 0;
     for (found, counters) in resolved {
-        let renumbered = |piece: LinePiece| LinePiece { run: runs + piece.run, ..piece };
+        let renumbered = |piece: RoundedPiece| RoundedPiece { run: runs + piece.run, ..piece };
         reduced.extend(found.pieces.into_iter().map(renumbered));
         runs += found.runs;
         run.merge(&counters);
@@ -49,7 +48,7 @@ const PART: usize = 1024;
 /// What becomes of some groups.
 #[derive(Default)]
 struct Resolved {
-    pieces: Vec<LinePiece>,
+    pieces: Vec<RoundedPiece>,
     /// Runs are numbered from 0 to this.
     runs: u32,
 }
@@ -66,29 +65,23 @@ impl Resolved {
         match group {
             [] => {}
             // Most pieces lie on no other.
-            [alone] => self.append(question, [RoundedPiece { run: 0, ..piece(*alone) }]),
+            [alone] => self.append([RoundedPiece { run: 0, ..piece(*alone) }]),
             [first, others @ ..]
                 if others.iter().all(|&other| piece(other).line == piece(*first).line) =>
             {
-                self.append(question, follow_line(pieces, group));
+                self.append(follow_line(pieces, group));
             }
-            _ => {
-                self.append(question, ImageLine::new(question, predicates, pieces, group).resolve())
-            }
+            _ => self.append(ImageLine::new(question, predicates, pieces, group).resolve()),
         }
     }
 
     /// Appends a group's pieces, whose runs are numbered from 0.
-    fn append(
-        &mut self,
-        question: &LineQuestion<'_>,
-        group: impl IntoIterator<Item = RoundedPiece>,
-    ) {
+    fn append(&mut self, group: impl IntoIterator<Item = RoundedPiece>) {
         let first = self.runs;
         for piece in group {
             self.runs = self.runs.max(first + piece.run + 1);
             let run = first + piece.run;
-            self.pieces.push(line_piece(question, &RoundedPiece { run, ..piece }));
+            self.pieces.push(RoundedPiece { run, ..piece });
         }
     }
 }
