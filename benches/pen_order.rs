@@ -17,7 +17,9 @@ use std::error::Error;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
-use umriss::drawing::{Drawing, DrawingOptions, Effort, Layer, LineStyle, Paper, Strokes};
+use umriss::drawing::{
+    Drawing, DrawingOptions, Effort, Layer, LayerTags, LineStyle, Paper, Strokes,
+};
 use umriss::export::{SvgOptions, to_svg};
 use umriss::model::Color;
 use umriss::run::Counters;
@@ -77,7 +79,8 @@ fn separate(count: usize) -> Drawing {
         strokes.push([from, from + way]);
     }
     let style = LineStyle { width: 0.3, color: Color([0; 3]) };
-    let layer = Layer { number: 1, label: "1-visible".into(), style, strokes };
+    let layer =
+        Layer { number: 1, label: "1-visible".into(), style, strokes, tags: LayerTags::default() };
     Drawing { size: DVec2::new(420.0, 297.0), scale: 1.0, layers: vec![layer] }
 }
 

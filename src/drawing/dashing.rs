@@ -71,7 +71,6 @@ impl Pattern {
     }
 }
 
-
 impl Pattern {
     /// Where the dashes of a path begin and end, by length along it.
     fn along(&self, path: &Path) -> Vec<[f64; 2]> {

@@ -1,7 +1,7 @@
 //! Which layer a piece belongs to.
 //!
-//! Pieces fall into groups: one for all, or one per class, or one per object
-//! name. Each group that has anything to draw gets a layer of visible lines
+//! Pieces fall into groups: one for all, or one per class, one per object
+//! name, or one per class of each of those. Each group that has anything to draw gets a layer of visible lines
 //! and one for each level of hidden ones, and where lines of a group and
 //! level look different, one for each look. Visible layers are numbered
 //! from 1, hidden ones go on from there, so by visibility the hidden lines
@@ -10,7 +10,7 @@
 
 use super::styles::Look;
 use super::weight::Weights;
-use super::{DrawingOptions, Hidden, LayerBy, Styles};
+use super::{DrawingOptions, Hidden, LayerBy, LayerTags, Styles};
 use crate::view::{LineClass, LinePiece, VisibleLines};
 use rustc_hash::FxHashMap;
 
@@ -23,6 +23,8 @@ pub(super) struct LayerPlan {
     pub(super) label: String,
     /// How its lines look.
     pub(super) look: Look,
+    /// What they are.
+    pub(super) tags: LayerTags,
     /// Indices of its pieces, ascending.
     pub(super) pieces: Vec<u32>,
 }
@@ -121,7 +123,8 @@ fn number(groups: &Groups<'_>, buckets: Vec<Bucket>, options: &DrawingOptions) -
                 }
                 let number = bucket.look.pen.unwrap_or(next);
                 let label = format!("{number}-{name}");
-                plans.push(LayerPlan { number, label, look: bucket.look, pieces: bucket.pieces });
+                let (look, pieces, tags) = (bucket.look, bucket.pieces, groups.tags(group, level));
+                plans.push(LayerPlan { number, label, look, tags, pieces });
                 next += 1;
             }
         }
@@ -144,7 +147,7 @@ impl<'a> Groups<'a> {
         let names = match by {
             LayerBy::Visibility => vec![""],
             LayerBy::Class => LineClass::ALL.map(LineClass::name).to_vec(),
-            LayerBy::Object => {
+            LayerBy::Object | LayerBy::Part => {
                 let mut names = Vec::new();
                 let mut known = FxHashMap::default();
                 for name in &lines.objects {
@@ -165,21 +168,39 @@ impl<'a> Groups<'a> {
             LayerBy::Visibility => 0,
             LayerBy::Class => piece.class as usize,
             LayerBy::Object => self.of_object[piece.object as usize],
+            LayerBy::Part => {
+                self.of_object[piece.object as usize] * LineClass::ALL.len() + piece.class as usize
+            }
+        }
+    }
+
+    /// What is known of all lines of a group.
+    fn tags(&self, group: usize, level: u32) -> LayerTags {
+        let classes = LineClass::ALL.len();
+        let (class, object) = match self.by {
+            LayerBy::Visibility => (None, None),
+            LayerBy::Class => (Some(group), None),
+            LayerBy::Object => (None, Some(group)),
+            LayerBy::Part => (Some(group % classes), Some(group / classes)),
+        };
+        LayerTags {
+            level,
+            class: class.map(|class| LineClass::ALL[class]),
+            object: object.map(|object| self.names[object].to_owned()),
         }
     }
 
     fn layer_name(&self, group: usize, level: u32, options: &DrawingOptions) -> String {
-        let name = match (self.by, self.names[group]) {
-            (LayerBy::Visibility, _) if level == 0 => "visible",
-            (LayerBy::Visibility, _) => "hidden",
-            (LayerBy::Object, "") => "object",
-            (_, name) => name,
+        let LayerTags { class, object, .. } = self.tags(group, level);
+        let object = object.map(|name| if name.is_empty() { "object".to_owned() } else { name });
+        let class = class.map(|class| class.name().to_owned());
+        let kind = match self.by {
+            LayerBy::Visibility if level == 0 => Some("visible".to_owned()),
+            _ if 0 < level => Some("hidden".to_owned()),
+            _ => None,
         };
-        let suffix = if self.by != LayerBy::Visibility && 0 < level { "-hidden" } else { "" };
-        match level {
-            0 => name.to_owned(),
-            _ if options.hidden_by.tells_apart() => format!("{name}{suffix}-{level}"),
-            _ => format!("{name}{suffix}"),
-        }
+        let depth = (0 < level && options.hidden_by.tells_apart()).then(|| level.to_string());
+        let words: Vec<String> = [object, class, kind, depth].into_iter().flatten().collect();
+        words.join("-")
     }
 }

@@ -63,7 +63,7 @@ pub use error::DrawingError;
 pub use length::Length;
 pub use options::{DrawingOptions, Hidden, HiddenBy, Join, LayerBy};
 pub use ordering::Effort;
-pub use page::{Drawing, Layer, LineStyle};
+pub use page::{Drawing, Layer, LayerTags, LineStyle};
 pub use paper::Paper;
 pub use preset::Preset;
 pub use scale::Scale;

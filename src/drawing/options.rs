@@ -74,9 +74,11 @@ pub enum LayerBy {
     Class,
     /// The name of the object.
     Object,
+    /// The class within the object.
+    Part,
 }
 
-/// Reads `visibility`, `class`, `object`.
+/// Reads `visibility`, `class`, `object`, `part`.
 impl FromStr for LayerBy {
     type Err = DrawingError;
 
@@ -85,7 +87,8 @@ impl FromStr for LayerBy {
             "visibility" => Ok(LayerBy::Visibility),
             "class" => Ok(LayerBy::Class),
             "object" => Ok(LayerBy::Object),
-            _ => Err(refuse(text, "visibility, class or object")),
+            "part" => Ok(LayerBy::Part),
+            _ => Err(refuse(text, "visibility, class, object or part")),
         }
     }
 }

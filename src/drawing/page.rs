@@ -28,6 +28,17 @@ pub struct Drawing {
     pub layers: Vec<Layer>,
 }
 
+/// What all strokes of a layer have in common, as far as layers tell it apart.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct LayerTags {
+    /// 0 if they are visible; else the level of hidden lines.
+    pub level: u32,
+    /// Their class.
+    pub class: Option<LineClass>,
+    /// The name of their object.
+    pub object: Option<String>,
+}
+
 /// Strokes of one pen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
@@ -39,6 +50,8 @@ pub struct Layer {
     pub style: LineStyle,
     /// The strokes.
     pub strokes: Strokes,
+    /// What they are.
+    pub tags: LayerTags,
 }
 
 /// How a line looks. Dashes are not part of it: they are strokes.
@@ -138,9 +151,11 @@ fn join(
     placement: &Placement,
     options: &DrawingOptions,
 ) -> Strokes {
+    // What is smoothed stays where it meets others.
+    let smoothed = 0.0 < options.fit.millimetres().max(options.simplify.millimetres());
     let joined = |pieces: &[u32]| {
         let (segments, runs) = segments(lines, pieces, placement);
-        chain(&segments, &runs)
+        chain(&segments, &runs, smoothed)
     };
     let mut strokes = match options.join {
         Join::All => joined(&plan.pieces),
@@ -166,7 +181,8 @@ fn finish(plan: &LayerPlan, solid: &Strokes) -> Layer {
         dash => dashed(&solid.flat(FLATNESS), dash, look.width),
     };
     let style = LineStyle { width: look.width, color: look.color };
-    Layer { number: plan.number, label: plan.label.clone(), style, strokes }
+    let (label, tags) = (plan.label.clone(), plan.tags.clone());
+    Layer { number: plan.number, label, style, strokes, tags }
 }
 
 #[cfg(test)]

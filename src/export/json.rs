@@ -110,10 +110,7 @@ fn write_crossings(crossings: &[Crossing], first: usize) -> String {
     text
 }
 
-fn write_lines(
-    lines: &VisibleLines,
-    range: Range<usize>,
-) -> Result<Vec<u8>, ExportError> {
+fn write_lines(lines: &VisibleLines, range: Range<usize>) -> Result<Vec<u8>, ExportError> {
     let mut text = Vec::new();
     for index in range {
         let piece = &lines.pieces[index];

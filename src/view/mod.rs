@@ -7,6 +7,7 @@ mod exact_lines;
 mod prepare;
 mod question;
 mod visible_lines;
+mod wishes;
 
 pub use crate::model::{Frame, LineClass, Projection};
 pub use crossing::Crossing;
@@ -14,3 +15,4 @@ pub use exact_lines::{ExactLines, ExactPiece};
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};
 pub use visible_lines::{LinePiece, LineSource, VisibleLines};
+pub use wishes::ObjectWish;

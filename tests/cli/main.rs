@@ -8,6 +8,7 @@ mod pens;
 mod refusals;
 mod restyling;
 mod strokes;
+mod styles;
 
 use fixture::Folder;
 

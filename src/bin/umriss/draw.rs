@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::line_flags::{LineFlags, Method};
 use crate::model_flags::{ModelFlags, UnitName};
 use crate::models::{Subject, read_subject};
+use crate::object_flags::ObjectFlags;
 use crate::outputs::{Computed, OutputFlags};
 use crate::page_flags::PageFlags;
 use crate::pen_flags::PenFlags;
@@ -14,10 +15,10 @@ use crate::stroke_flags::StrokeFlags;
 use crate::style_flags::StyleFlags;
 use clap::Args;
 use std::path::PathBuf;
-use umriss::drawing::{Drawing, DrawingOptions, Hidden, Preset};
+use umriss::drawing::{Drawing, DrawingOptions, Hidden, Preset, Styles};
 use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
-use umriss::model::Scene;
+use umriss::model::{Scene, Soup};
 use umriss::run::Run;
 use umriss::view::{Crossing, PreparedView, VisibleLines};
 use umriss::visibility::{reduce, reduce_with_crossings};
@@ -59,6 +60,8 @@ pub(crate) struct Draw {
     #[command(flatten)]
     model: ModelFlags,
     #[command(flatten)]
+    objects: ObjectFlags,
+    #[command(flatten)]
     camera: CameraFlags,
     #[command(flatten)]
     lines: LineFlags,
@@ -86,15 +89,17 @@ impl Draw {
         self.method.map_or(Ok(()), Method::check)?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
-        outputs.write(&computed, &plotter, self.page.precision)
+        outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 
     fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
         let hidden = self.options(&DrawingNotes::default()).hidden != Hidden::None;
         let styles = self.style.styles()?;
-        let (lines, notes) = match read_subject(&self.models, &self.model, &self.session, run)? {
+        let select = |soups: &mut Vec<Soup>| self.objects.select(soups, &styles);
+        let subject = read_subject(&self.models, &self.model, &select, &self.session, run)?;
+        let (lines, notes) = match subject {
             Subject::Scene(scene) => {
-                let (lines, crossings) = self.find_lines(&scene, hidden, run)?;
+                let (lines, crossings) = self.find_lines(&scene, hidden, &styles, run)?;
                 let (unit, hidden) = (Some(scene.unit), Some(hidden));
                 (lines, DrawingNotes { unit, hidden, crossings })
             }
@@ -131,11 +136,12 @@ impl Draw {
         &self,
         scene: &Scene,
         hidden: bool,
+        styles: &Styles,
         run: &Run<'_>,
     ) -> Result<(VisibleLines, Option<Vec<Crossing>>), Failure> {
         let view = self.camera.view(&scene.mesh)?;
-        let options = self.lines.options();
-        let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
+        let wishes = self.objects.wishes(&scene.mesh, &self.lines.options(), styles);
+        let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(hidden);
         let answer = self.method.unwrap_or(Method::Appel).answer(&question, run)?;
         if !self.style.crossings_wanted() {
@@ -151,6 +157,7 @@ impl Draw {
             ("the camera", self.camera.any()),
             ("--crease and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
+            ("objects", self.objects.any()),
             ("--weld", self.model.weld.is_some()),
             ("--up-axis", self.model.up_axis.is_some()),
         ];

@@ -1,7 +1,7 @@
 //! The program `umriss`: reads flags, runs the library, writes files.
 //!
 //! One file per command; what commands share stands beside them: flags
-//! ([`model_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
+//! ([`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
 //! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`]), reading
 //! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
 //! Only the public interface of the library is used, and no geometry is done
@@ -21,6 +21,7 @@ mod info;
 mod line_flags;
 mod model_flags;
 mod models;
+mod object_flags;
 mod outputs;
 mod page_flags;
 mod pen_flags;

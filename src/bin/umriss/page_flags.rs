@@ -33,7 +33,8 @@ pub(crate) struct PageFlags {
     #[arg(long, value_name = "U0,V0,U1,V1", allow_hyphen_values = true,
           value_parser = parse::<Window>)]
     frame: Option<Window>,
-    /// What has a layer of its own: visibility, class or object [default: visibility]
+    /// What has a layer of its own: visibility, class, object or part (class within object)
+    /// [default: visibility]
     #[arg(long, value_name = "BY", value_parser = parse::<LayerBy>)]
     layer_by: Option<LayerBy>,
     /// Decimals of a millimetre in SVG

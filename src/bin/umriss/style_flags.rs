@@ -5,8 +5,10 @@ use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
 use umriss::drawing::{
-    DrawingError, DrawingOptions, HiddenBy, Length, Preset, Styles, Weight, WeightBy, read_styles,
+    DrawingError, DrawingOptions, HiddenBy, LayerBy, Length, Preset, Styles, Weight, WeightBy,
+    read_styles,
 };
+use umriss::export::{SvgOptions, SvgProfile};
 
 /// Looks of lines.
 #[derive(Args)]
@@ -38,12 +40,25 @@ pub(crate) struct StyleFlags {
     /// (surfaces), solids (two surfaces each), or together [default: together]
     #[arg(long, value_name = "BY", value_parser = parse::<HiddenBy>)]
     hidden_by: Option<HiddenBy>,
+    /// Whom SVG is for: plot (styles on groups, nothing else) or web (classes and ids on them,
+    /// and layers by part unless others are asked for) [default: plot]
+    #[arg(long, value_name = "FOR", value_parser = parse_profile)]
+    svg: Option<SvgProfile>,
 }
 
 impl StyleFlags {
     /// Where all other flags begin.
     pub(crate) fn base(&self) -> DrawingOptions {
-        self.preset.map_or_else(DrawingOptions::default, Preset::options)
+        let base = self.preset.map_or_else(DrawingOptions::default, Preset::options);
+        match self.svg {
+            Some(SvgProfile::Web) => DrawingOptions { layer_by: LayerBy::Part, ..base },
+            _ => base,
+        }
+    }
+
+    /// How SVG is written.
+    pub(crate) fn svg(&self, precision: u8) -> SvgOptions {
+        SvgOptions { precision, command: None, profile: self.svg.unwrap_or_default() }
     }
 
     /// The options with these wishes in them.
@@ -85,4 +100,8 @@ impl StyleFlags {
 
 fn parse<T: FromStr<Err = DrawingError>>(text: &str) -> Result<T, DrawingError> {
     text.parse()
+}
+
+fn parse_profile(name: &str) -> Result<SvgProfile, String> {
+    SvgProfile::from_name(name).ok_or_else(|| "expected plot or web".to_owned())
 }

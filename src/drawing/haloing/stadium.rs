@@ -60,7 +60,10 @@ impl Stadium {
         stops = stops.map(|stop| stop.clamp(from, to));
         let behind = |t: f64| far.depth(t) - self.depth_beside(far.point(t));
         let parts = [[from, stops[0]], [stops[0], stops[1]], [stops[1], to]];
-        parts.map(|part| stretch.and_then(|_| not_below_zero(part, part.map(behind)))).into_iter().flatten()
+        parts
+            .map(|part| stretch.and_then(|_| not_below_zero(part, part.map(behind))))
+            .into_iter()
+            .flatten()
     }
 
     /// The part of a segment in the stadium.

@@ -34,8 +34,7 @@ fn lines(pieces: Vec<LinePiece>, projection: Projection) -> VisibleLines {
 
 fn interrupted(pieces: &[LinePiece], crossings: &[[u32; 2]], radius: f64) -> Vec<LinePiece> {
     let lines = lines(pieces.to_vec(), Projection::Orthographic);
-    let crossings: Vec<_> =
-        crossings.iter().map(|&[near, far]| Crossing { near, far }).collect();
+    let crossings: Vec<_> = crossings.iter().map(|&[near, far]| Crossing { near, far }).collect();
     interrupt(&lines, &crossings, &vec![true; pieces.len()], radius).pieces
 }
 
@@ -167,10 +166,8 @@ fn a_chain_that_zigzags_makes_no_gap_in_itself() {
 #[test]
 fn a_gap_ends_where_the_far_line_comes_to_the_front() {
     // They cross at a small angle; a little on, the far line is nearer.
-    let pieces = [
-        piece([-10.0, 0.0, 1.0], [10.0, 0.0, 1.0]),
-        piece([-10.0, -1.0, 3.0], [10.0, 1.0, 0.9]),
-    ];
+    let pieces =
+        [piece([-10.0, 0.0, 1.0], [10.0, 0.0, 1.0]), piece([-10.0, -1.0, 3.0], [10.0, 1.0, 0.9])];
     let left = interrupted(&pieces, &[[0, 1]], 2.0);
     assert_eq!(left.len(), 2);
     // It begins at the end of the line and stops at equal depth.
@@ -193,7 +190,8 @@ fn depth_is_cut_by_the_perspective() {
 
 #[test]
 fn what_is_not_drawn_makes_no_gap() {
-    let pieces = vec![piece([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]), piece([0.0, -1.0, 2.0], [0.0, 1.0, 2.0])];
+    let pieces =
+        vec![piece([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]), piece([0.0, -1.0, 2.0], [0.0, 1.0, 2.0])];
     let lines = lines(pieces, Projection::Orthographic);
     let crossing = [Crossing { near: 0, far: 1 }];
     assert_eq!(interrupt(&lines, &crossing, &[false, true], 0.1).pieces, lines.pieces);

@@ -1,9 +1,8 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew, SkewCarriers,
-    Turn,
-    Value,
+    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew,
+    SkewCarriers, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign, SmallInteger};

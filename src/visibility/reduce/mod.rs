@@ -51,9 +51,8 @@ pub fn reduce_with_crossings<P: Policy>(
     run: &Run<'_>,
 ) -> Result<(VisibleLines, Vec<Crossing>), Cancelled> {
     let pieces = reduced::<P>(question, answer, run)?;
-    let crossings = run.stage("crossings", pieces.len() as u64, || {
-        find_crossings::<P>(question, &pieces, run)
-    });
+    let crossings =
+        run.stage("crossings", pieces.len() as u64, || find_crossings::<P>(question, &pieces, run));
     run.check()?;
     Ok((drawn(question, &pieces, run), crossings))
 }

@@ -114,9 +114,8 @@ fn passing<P: Policy>(
     if first.ends.iter().any(|end| second.ends.contains(end)) {
         return None;
     }
-    let beside = |of: Carrier, other: Carrier| {
-        other.ends.map(|end| predicates.image_side_of_point(of, end))
-    };
+    let beside =
+        |of: Carrier, other: Carrier| other.ends.map(|end| predicates.image_side_of_point(of, end));
     let [from, to] = beside(second, first);
     if from == to {
         return None;
