@@ -56,7 +56,7 @@ const GALLERY: [(&str, &str, &str); 25] = [
     (
         "menger-weight",
         "menger_2.obj",
-        "--eye 13,-6,11 --target 4.5,4.5,4.2 --fov 50 --weight 0.9..0.1mm --halo 0.7mm",
+        "--eye 16,-11,13 --target 4.5,4.5,4.2 --fov 45 --weight 1..0.1mm --halo 0.7mm",
     ),
     (
         "torus-x-ray",
@@ -197,7 +197,8 @@ impl Flags {
             features = features.with_classes(&LineClass::ALL);
         }
         let clear = self.get("see-through").unwrap_or_default();
-        let see_through = |name: &str| clear.split(',').any(|pattern| matches(pattern, name));
+        let patterns: Vec<_> = clear.split(',').filter(|pattern| !pattern.is_empty()).collect();
+        let see_through = |name: &str| patterns.iter().any(|pattern| matches(pattern, name));
         let wish = |name: &str| ObjectWish { features, see_through: see_through(name) };
         Ok(mesh.objects().iter().map(|object| wish(&object.name)).collect())
     }
