@@ -12,7 +12,9 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::Path;
 use std::str::FromStr;
-use umriss::drawing::{Drawing, DrawingOptions, Preset, Styles, Weight, matches, read_styles};
+use umriss::drawing::{
+    Drawing, DrawingOptions, Effort, Preset, Styles, Weight, matches, read_styles,
+};
 use umriss::export::{SvgOptions, to_png, to_svg, write_file};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{
@@ -23,7 +25,7 @@ use umriss::view::{ObjectWish, PreparedView};
 use umriss::visibility::{AppelOptions, appel, reduce_with_crossings};
 
 /// Name, model and flags of every drawing.
-const GALLERY: [(&str, &str, &str); 25] = [
+const GALLERY: [(&str, &str, &str); 27] = [
     ("teapot", "teapot.obj", "--direction -0.35,-0.45,-0.8 --up 0,1,0 --style fine.toml"),
     ("spot", "spot.obj", "--direction 0.8,-0.35,0.75 --up 0,1,0 --crease 20 --style fine.toml"),
     ("spot-mesh", "spot.obj", "--direction 0.9,-0.4,0.8 --up 0,1,0 --edges ALL --style fine.toml"),
@@ -74,6 +76,16 @@ const GALLERY: [(&str, &str, &str); 25] = [
         "--view iso-se --see-through walls,roof --style three-pens.toml --halo 1mm",
     ),
     ("teapot-sketch", "teapot.obj", "--direction -0.35,-0.45,-0.8 --up 0,1,0 --preset sketch"),
+    (
+        "plotter",
+        "cube_hole.stl",
+        "--view iso --hidden dashed --halo 1.5mm --order best --style three-pens.toml",
+    ),
+    (
+        "spider-weight",
+        "assimp_spider.obj",
+        "--direction -0.6,0.7,-0.8 --up 0,1,0 --weight 0.8..0.1mm --halo 0.8mm",
+    ),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -100,8 +112,9 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     let question = prepared.question(flags.get("hidden").is_some());
     let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
     let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, &run)?;
-    let svg =
-        to_svg(&Drawing::styled(&lines, &crossings, &options, &styles)?, &SvgOptions::default())?;
+    let mut drawing = Drawing::styled(&lines, &crossings, &options, &styles)?;
+    drawing.order(flags.effort()?);
+    let svg = to_svg(&drawing, &SvgOptions::default())?;
     let file = root.join("output").join(name);
     write_file(&file.with_extension("svg"), svg.as_bytes())?;
     write_file(&file.with_extension("png"), &to_png(&svg, 1000)?)?;
@@ -164,6 +177,11 @@ impl Flags {
             weight: weight.map(|weight| Weight { steps, ..weight }).or(base.weight),
             ..base
         })
+    }
+
+    fn effort(&self) -> Result<Effort, Box<dyn Error>> {
+        let preset = self.get("preset").map(str::parse::<Preset>).transpose()?;
+        self.parse("order", preset.map(Preset::effort).unwrap_or_default())
     }
 
     fn styles(&self, root: &Path) -> Result<Styles, Box<dyn Error>> {
