@@ -86,8 +86,8 @@ fn whole() -> Outcome<()> {
         for j in 0..across {
             let [k, l] = [(i + 1) % around, (j + 1) % across];
             let [a, b, c, d] = [[i, j], [k, j], [k, l], [i, l]].map(|[i, j]| i * across + j);
-            soup.faces.push(&[a, b, c]);
-            soup.faces.push(&[a, c, d]);
+            soup.faces.push(&[a, b, c], None);
+            soup.faces.push(&[a, c, d], None);
         }
     }
     let mesh = Mesh::new(vec![soup], None)?;

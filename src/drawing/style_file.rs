@@ -34,7 +34,7 @@ pub fn read_styles(text: &str) -> Result<Styles, DrawingError> {
         DrawingError::Styles { line, message: error.message().to_owned() }
     })?;
     let class = |(name, rule): (String, LineText)| {
-        let class = LineClass::from_name(&name).ok_or_else(|| DrawingError::Choice {
+        let class = LineClass::from_name(&name).ok_or(DrawingError::Choice {
             word: name,
             expected: "contour, boundary, non-manifold, crease, intersection, line or mesh",
         })?;
