@@ -17,11 +17,10 @@ use glam::DVec2;
 /// The largest number of ends of which all pairs are tried.
 const ALL_PAIRS: usize = 24;
 
-/// Pairs the ends of one joint after another; the arrays serve them all.
+/// Pairs the ends of one joint after another; the array serves them all.
 #[derive(Default)]
 pub(super) struct Joints {
     spokes: Vec<Spoke>,
-    pairs: Vec<(f64, u32, u32)>,
 }
 
 /// A segment seen from the joint.
@@ -30,6 +29,8 @@ struct Spoke {
     end: u32,
     /// Unit vector away from the joint.
     away: DVec2,
+    /// Grows with the angle from -2 to 2, without trigonometry.
+    turn: f64,
     /// The other end of the segment.
     far: DVec2,
 }
@@ -52,44 +53,47 @@ impl Joints {
             }
             return;
         }
-        self.pairs.clear();
+        // What is left keeps its order around the joint, so that the first of
+        // equally good pairs is the same one in any drawing.
+        while let Some([one, other]) = self.straightest() {
+            partners.push([self.spokes[one].end, self.spokes[other].end]);
+            self.spokes.remove(other);
+            self.spokes.remove(one);
+        }
+    }
+
+    /// The two spokes that continue one another best.
+    fn straightest(&self) -> Option<[usize; 2]> {
+        let mut best = None;
+        let mut least = f64::INFINITY;
         for (i, one) in self.spokes.iter().enumerate() {
             for (j, other) in self.spokes.iter().enumerate().skip(i + 1) {
-                self.pairs.push((one.away.dot(other.away), i as u32, j as u32));
+                let cosine = one.away.dot(other.away);
+                if cosine < least {
+                    (best, least) = (Some([i, j]), cosine);
+                }
             }
         }
-        self.pairs
-            .sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then_with(|| (a.1, a.2).cmp(&(b.1, b.2))));
-        let mut free = [true; ALL_PAIRS];
-        for (_, i, j) in &self.pairs {
-            let (i, j) = (*i as usize, *j as usize);
-            if free[i] && free[j] {
-                (free[i], free[j]) = (false, false);
-                partners.push([self.spokes[i].end, self.spokes[j].end]);
-            }
-        }
+        best
     }
 }
 
 impl Spoke {
     fn new(segments: &[[DVec2; 2]], end: u32) -> Self {
         let far = point(segments, end ^ 1);
-        Spoke { end, away: (far - point(segments, end)).normalize_or_zero(), far }
+        let away = (far - point(segments, end)).normalize_or_zero();
+        let share = away.x / (away.x.abs() + away.y.abs());
+        let turn = if away.y < 0.0 { share - 1.0 } else { 1.0 - share };
+        Spoke { end, away, turn, far }
     }
 
     /// Around the joint, then outwards; the last resort keeps equal segments
     /// in their order.
     fn compare(&self, other: &Self) -> std::cmp::Ordering {
-        self.turn()
-            .total_cmp(&other.turn())
+        self.turn
+            .total_cmp(&other.turn)
             .then_with(|| self.far.x.total_cmp(&other.far.x))
             .then_with(|| self.far.y.total_cmp(&other.far.y))
             .then_with(|| self.end.cmp(&other.end))
-    }
-
-    /// Grows with the angle from -2 to 2, without trigonometry.
-    fn turn(&self) -> f64 {
-        let share = self.away.x / (self.away.x.abs() + self.away.y.abs());
-        if self.away.y < 0.0 { share - 1.0 } else { 1.0 - share }
     }
 }

@@ -125,8 +125,8 @@ impl Drawing {
             (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
-        let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i]));
-        let layers = finished.into_iter().filter(|layer| !layer.strokes.is_empty()).collect();
+        let finished = plans.iter().zip(solid).map(|(plan, solid)| finish(plan, solid));
+        let layers = finished.filter(|layer| !layer.strokes.is_empty()).collect();
         Ok(Drawing { size: placement.size, scale: placement.scale, layers })
     }
 
@@ -174,10 +174,10 @@ fn join(
 }
 
 /// A layer of joined strokes in its style.
-fn finish(plan: &LayerPlan, solid: &Strokes) -> Layer {
+fn finish(plan: &LayerPlan, solid: Strokes) -> Layer {
     let look = &plan.look;
     let strokes = match look.dash {
-        Dash::Continuous => solid.clone(),
+        Dash::Continuous => solid,
         dash => dashed(&solid.flat(FLATNESS), dash, look.width),
     };
     let style = LineStyle { width: look.width, color: look.color };

@@ -6,7 +6,7 @@
 //! independent and run in parallel; edges come out ordered by their
 //! vertices, whatever the order of the triangles. O(n).
 
-use crate::run::{map_chunks, map_indexed};
+use crate::run::{concat_map, map_chunks, map_indexed};
 
 /// All edges of a mesh, each with its incident triangles.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -149,19 +149,20 @@ fn edges_of_range(half_edges: impl Iterator<Item = HalfEdge> + Clone, first: u32
 }
 
 fn concatenate(found: &[Edges]) -> Edges {
-    let count = found.iter().map(Edges::len).sum();
-    let mut edges = Edges {
-        ends: Vec::with_capacity(count),
-        incident: Vec::with_capacity(count),
-        triangles: Vec::with_capacity(found.iter().map(|part| part.triangles.len()).sum()),
-    };
+    let mut offsets = Vec::with_capacity(found.len());
+    let mut sum = 0;
     for part in found {
-        let offset = edges.triangles.len() as u32;
-        edges.ends.extend_from_slice(&part.ends);
-        edges.incident.extend(part.incident.iter().map(|end| end + offset));
-        edges.triangles.extend_from_slice(&part.triangles);
+        offsets.push(sum);
+        sum += part.triangles.len() as u32;
     }
-    edges
+    let ends: Vec<&[[u32; 2]]> = found.iter().map(|part| &part.ends[..]).collect();
+    let incident: Vec<&[u32]> = found.iter().map(|part| &part.incident[..]).collect();
+    let triangles: Vec<&[u32]> = found.iter().map(|part| &part.triangles[..]).collect();
+    Edges {
+        ends: concat_map(&ends, |_, ends| *ends),
+        incident: concat_map(&incident, |part, end| end + offsets[part]),
+        triangles: concat_map(&triangles, |_, triangle| *triangle),
+    }
 }
 
 #[cfg(test)]

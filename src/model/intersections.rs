@@ -121,9 +121,8 @@ struct Search<'p, P: Policy> {
 /// View boxes of all triangles of a mesh, in a hierarchy.
 pub fn triangle_hierarchy(mesh: &Mesh, coordinates: &ViewCoordinates) -> Hierarchy {
     let triangles = mesh.triangles();
-    let mut boxes = vec![crate::spatial::Bounds::EMPTY; triangles.len()];
-    crate::run::fill_indexed(&mut boxes, |i| coordinates.bounds(triangles[i]));
-    Hierarchy::new(&boxes)
+    let place = |i: usize| coordinates.place(triangles[i][0]);
+    Hierarchy::of(triangles.len(), place, |i| coordinates.bounds(triangles[i]))
 }
 
 /// The signs of the corners of `triangle` against the plane of `against`:

@@ -192,7 +192,7 @@ fn find_t_junctions(mesh: &Mesh) -> Vec<TJunction> {
         for &vertex in &vertices[part] {
             let place = boxes.around(&[vertex]);
             hierarchy.visit(
-                |bounds| bounds.overlaps(&place),
+                |group| group.overlapping(&place),
                 |index| {
                     let edge = border[index as usize];
                     if lies_inside(mesh, vertex, edge) {

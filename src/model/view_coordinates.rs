@@ -8,7 +8,7 @@
 use super::{Frame, Projection};
 use crate::run::{fill_indexed, map_chunks};
 use crate::spatial::{Bounds, Rounding, SegmentProbe};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3A};
 
 /// Relative error of a view coordinate against the largest offset from the
 /// frame's origin: ten roundings, and the frame's own, with room to spare.
@@ -186,6 +186,14 @@ impl ViewCoordinates {
         let mut bounds = Bounds::ALL;
         bounds.high[2] = self.rounding.up(2, deepest, self.error);
         bounds
+    }
+
+    /// About where a vertex lies, in the coordinates of boxes; anywhere, if
+    /// it has no image.
+    pub fn place(&self, vertex: u32) -> Vec3A {
+        let (image, depth) = self.project(self.points[vertex as usize]);
+        let nearest = |axis, value| self.rounding.nearest(axis, value);
+        Vec3A::new(nearest(0, image.x), nearest(1, image.y), nearest(2, depth))
     }
 
     /// A probe for the segment between two points given along right, up and

@@ -10,5 +10,5 @@ mod parallel;
 mod progress;
 
 pub use counters::{Counters, StageTime};
-pub use parallel::{fill_indexed, map_chunks, map_indexed, sort_by};
+pub use parallel::{concat_map, fill_indexed, map_chunks, map_indexed, sort_by};
 pub use progress::{Cancelled, Limits, Progress, Run, Silent};

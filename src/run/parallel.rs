@@ -32,6 +32,37 @@ pub fn map_chunks<T: Send>(
     map_indexed(count.div_ceil(size), |chunk| work(chunk * size..((chunk + 1) * size).min(count)))
 }
 
+/// Joins lists, each item turned into `work(number of its list, item)`: to
+/// copy much is work for all cores too.
+pub fn concat_map<S: Sync, T: Send>(
+    lists: &[&[S]],
+    work: impl Fn(usize, &S) -> T + Sync + Send,
+) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    if lists.len() > 1 {
+        let mut count = 0;
+        let mut starts = Vec::with_capacity(lists.len());
+        for list in lists {
+            starts.push(count);
+            count += list.len();
+        }
+        // Each task goes on in the list in which it was.
+        let item = |list: &mut usize, i: usize| {
+            if i < starts[*list] || starts[*list] + lists[*list].len() <= i {
+                // The last list that starts there or before is not empty.
+                *list = starts.partition_point(|&start| start <= i) - 1;
+            }
+            work(*list, &lists[*list][i - starts[*list]])
+        };
+        return (0..count).into_par_iter().map_init(|| 0, item).collect();
+    }
+    let mut all = Vec::with_capacity(lists.iter().map(|list| list.len()).sum());
+    for (list, items) in lists.iter().enumerate() {
+        all.extend(items.iter().map(|item| work(list, item)));
+    }
+    all
+}
+
 /// Overwrites each `target[i]` with `work(i)`.
 pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync + Send) {
     #[cfg(feature = "parallel")]
@@ -49,4 +80,16 @@ pub fn sort_by<T: Send>(list: &mut [T], order: impl Fn(&T, &T) -> std::cmp::Orde
         return list.par_sort_unstable_by(order);
     }
     list.sort_unstable_by(order);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_are_joined_in_order_and_empty_ones_left_out() {
+        let lists: [&[u32]; 5] = [&[], &[1, 2], &[], &[3], &[]];
+        assert_eq!(concat_map(&lists, |list, item| (list, *item)), [(1, 1), (1, 2), (3, 3)]);
+        assert!(concat_map(&[] as &[&[u32]], |_, item| *item).is_empty());
+    }
 }

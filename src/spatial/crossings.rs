@@ -10,7 +10,27 @@
 //!
 //! O(n log n) to build, expected O(log n + answers) to ask.
 
-use super::{Bounds, Hierarchy, SegmentProbe};
+use super::{Bounds, Group, Hierarchy, SegmentProbe};
+
+/// With more groups of edges than this around, segments had better search
+/// for themselves.
+const MOST_GROUPS: usize = 12;
+
+/// What may pass in front of some segments that lie close together: most
+/// often little, and to look through that for each of them is faster than to
+/// ask all edges.
+#[derive(Debug, Clone)]
+pub struct Nearby(Option<Vec<u32>>);
+
+impl Nearby {
+    /// All edges.
+    pub const EVERYTHING: Nearby = Nearby(None);
+}
+
+#[inline(always)]
+fn candidates(probe: &SegmentProbe) -> impl Fn(&Group) -> u8 + '_ {
+    |group| group.hiding(probe.bounds()) & group.meeting_line(probe)
+}
 
 /// Edges by their view boxes.
 #[derive(Debug, Clone)]
@@ -30,7 +50,30 @@ impl Crossings {
     /// segment. In a fixed order, each edge once.
     #[inline]
     pub fn candidates(&self, probe: &SegmentProbe, found: impl FnMut(u32)) {
-        self.hierarchy
-            .visit(|node| node.may_hide(probe.bounds()) && probe.may_meet_image(node), found);
+        self.hierarchy.visit(candidates(probe), found);
+    }
+
+    /// The edges that may pass in front of something in a box.
+    pub fn look_around(&self, bounds: &Bounds) -> Nearby {
+        Nearby(self.hierarchy.lowest_groups(|group| group.hiding(bounds), MOST_GROUPS))
+    }
+
+    /// The same as [`Crossings::candidates`], perhaps in another order, for a
+    /// segment in the box of `nearby`.
+    #[inline]
+    pub fn candidates_among(
+        &self,
+        nearby: &Nearby,
+        probe: &SegmentProbe,
+        mut found: impl FnMut(u32),
+    ) {
+        match &nearby.0 {
+            None => self.candidates(probe, found),
+            Some(groups) => {
+                for &group in groups {
+                    self.hierarchy.visit_group(group, candidates(probe), &mut found);
+                }
+            }
+        }
     }
 }

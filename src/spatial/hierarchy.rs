@@ -1,200 +1,259 @@
 //! A hierarchy of boxes over items sorted along a space-filling curve.
 //!
-//! Items are sorted by the Morton cell of their box's middle; then every
-//! eight neighbours make a node, every eight nodes a node above, up to one
-//! root. There are no pointers: a node's children are eight consecutive
+//! Items are sorted by the Morton cell in which they lie; then every eight
+//! neighbours make a group, every eight groups a group above, up to one.
+//! There are no pointers: the children of a group are eight consecutive
 //! places of the level below (a packed R-tree: Kamel and Faloutsos 1993).
-//! Building is a sort and one pass, queries adapt to any distribution of
-//! sizes. Everything is O(n log n) at worst to build and expected
-//! O(log n + answers) to ask.
+//! The boxes of a group lie side by side, so that one query looks at all
+//! eight at once. Building is a sort and one pass, queries adapt to any
+//! distribution of sizes. Everything is O(n log n) at worst to build and
+//! expected O(log n + answers) to ask.
 
 use super::Bounds;
-use crate::run::{map_chunks, map_indexed};
-
-/// Children of a node.
-const FANOUT: usize = 8;
+use super::group::{Group, SIZE, places};
+use crate::run::map_indexed;
+use glam::Vec3A;
+use std::cell::Cell;
 
 /// Boxes over items `0..n`.
 #[derive(Debug, Clone)]
 pub struct Hierarchy {
     /// The items in the order of the lowest level.
     items: Vec<u32>,
-    /// Boxes from the lowest level (one per item) up to the root.
-    levels: Vec<Vec<Bounds>>,
+    /// Groups of boxes from the lowest level (boxes of items) up to the one
+    /// at the top. Place `i` of group `g` is the box of group `8 g + i` of
+    /// the level below, or of the item at that place.
+    levels: Vec<Vec<Group>>,
 }
 
 impl Hierarchy {
     /// Sorts and groups the items with these boxes. Items with empty boxes
-    /// are left out.
+    /// are never found.
     pub fn new(boxes: &[Bounds]) -> Self {
-        let items = along_curve(boxes);
-        let mut levels = vec![map_indexed(items.len(), |i| boxes[items[i] as usize])];
+        let middle = |i: usize| boxes[i].low * 0.5 + boxes[i].high * 0.5;
+        Hierarchy::of(boxes.len(), middle, |i| boxes[i])
+    }
+
+    /// The same for boxes that are made as they are needed. `place` is some
+    /// point near an item, `bounds` its box.
+    pub fn of(
+        count: usize,
+        place: impl Fn(usize) -> Vec3A + Sync + Send,
+        bounds: impl Fn(usize) -> Bounds + Sync + Send,
+    ) -> Self {
+        let items = along_curve(count, place);
+        let mut levels = vec![grouped(items.len(), |i| bounds(items[i] as usize))];
         while let Some(below) = levels.last()
             && below.len() > 1
         {
-            let above = map_chunks(below.len(), FANOUT * 1024, |part| {
-                below[part]
-                    .chunks(FANOUT)
-                    .map(|group| group.iter().fold(Bounds::EMPTY, |sum, one| sum.union(one)))
-                    .collect::<Vec<_>>()
-            })
-            .concat();
-            levels.push(above);
+            levels.push(grouped(below.len(), |i| below[i].around()));
         }
         Hierarchy { items, levels }
     }
 
-    /// The number of items in it.
-    pub fn len(&self) -> usize {
-        self.items.len()
+    /// The places of a group that are taken.
+    #[inline(always)]
+    fn taken(&self, level: usize, group: usize) -> u8 {
+        let last = self.levels[level].len() - 1;
+        if group < last {
+            return u8::MAX;
+        }
+        let below = if level == 0 { self.items.len() } else { self.levels[level - 1].len() };
+        u8::MAX >> (SIZE - (below - last * SIZE))
     }
 
-    /// Whether there is no item in it.
-    pub fn is_empty(&self) -> bool {
-        self.items.is_empty()
-    }
-
-    /// Calls `found` with every item whose box, like all boxes above it,
-    /// satisfies `may`. In a fixed order.
+    /// Calls `found` with every item whose box, like all boxes above it, is
+    /// among those that `may` chooses from its group. In a fixed order.
     #[inline]
-    pub fn visit(&self, may: impl Fn(&Bounds) -> bool, mut found: impl FnMut(u32)) {
-        let top = self.levels.len() - 1;
-        if self.items.is_empty() || !may(&self.levels[top][0]) {
+    pub fn visit(&self, may: impl Fn(&Group) -> u8, mut found: impl FnMut(u32)) {
+        self.descend(may, |group, chosen| self.items_of(group, chosen, &mut found));
+    }
+
+    /// The lowest groups of which `may` chooses something, if they are at
+    /// most `most`.
+    pub(super) fn lowest_groups(
+        &self,
+        may: impl Fn(&Group) -> u8,
+        most: usize,
+    ) -> Option<Vec<u32>> {
+        let mut found = Vec::new();
+        let count = Cell::new(0);
+        let until_too_many = |group: &Group| if count.get() > most { 0 } else { may(group) };
+        self.descend(until_too_many, |group, _| {
+            found.push(group as u32);
+            count.set(found.len());
+        });
+        (found.len() <= most).then_some(found)
+    }
+
+    /// The same as `visit` for one of the lowest groups.
+    #[inline]
+    pub(super) fn visit_group(
+        &self,
+        group: u32,
+        may: impl Fn(&Group) -> u8,
+        mut found: impl FnMut(u32),
+    ) {
+        let group = group as usize;
+        let chosen = may(&self.levels[0][group]) & self.taken(0, group);
+        self.items_of(group, chosen, &mut found);
+    }
+
+    /// Calls `found` with the chosen items of one of the lowest groups.
+    #[inline(always)]
+    fn items_of(&self, group: usize, chosen: u8, found: &mut impl FnMut(u32)) {
+        places(chosen).for_each(|place| found(self.items[group * SIZE + place]));
+    }
+
+    /// Calls `found` with the lowest groups of which `may` chooses something,
+    /// and with what that is.
+    #[inline(always)]
+    fn descend(&self, may: impl Fn(&Group) -> u8, mut found: impl FnMut(usize, u8)) {
+        if self.items.is_empty() {
             return;
         }
-        if top == 0 {
-            return found(self.items[0]);
-        }
-        // Each level adds at most seven places beyond the one taken off,
+        // Each level adds at most seven groups beyond the one taken off,
         // and 32-bit items make at most eleven levels.
         let mut stack = [(0_u32, 0_u32); 96];
         let mut height = 1;
-        stack[0] = (top as u32, 0);
+        stack[0] = (self.levels.len() as u32 - 1, 0);
         while height > 0 {
             height -= 1;
-            let (level, node) = stack[height];
-            let below = level as usize - 1;
-            let first = node as usize * FANOUT;
-            let end = (first + FANOUT).min(self.levels[below].len());
-            for child in first..end {
-                if may(&self.levels[below][child]) {
-                    if below == 0 {
-                        found(self.items[child]);
-                    } else {
-                        stack[height] = (below as u32, child as u32);
-                        height += 1;
-                    }
+            let (level, group) = stack[height];
+            let (depth, group) = (level as usize, group as usize);
+            let chosen = may(&self.levels[depth][group]) & self.taken(depth, group);
+            if level == 0 {
+                if chosen != 0 {
+                    found(group, chosen);
                 }
+                continue;
+            }
+            for place in places(chosen) {
+                stack[height] = (level - 1, (group * SIZE + place) as u32);
+                height += 1;
             }
         }
     }
 
     /// All pairs of items with overlapping boxes, each pair once, handed to
-    /// `found` in groups: `work` starts the result of a group. Results come
+    /// `found` in groups: `start` begins the result of a group. Results come
     /// in an order that depends on the boxes alone.
     pub fn overlapping_pairs<T: Send>(
         &self,
         start: impl Fn() -> T + Sync + Send,
         found: impl Fn(&mut T, u32, u32) + Sync + Send,
     ) -> Vec<T> {
-        if self.items.len() < 2 {
-            return Vec::new();
-        }
-        // A level with enough nodes to deal them out: one result per node,
-        // which meets itself and all later nodes.
+        // A level with enough groups to deal them out: one result per group,
+        // which meets itself and all later groups.
         let top = self.levels.len() - 1;
         let wide = |&level: &usize| self.levels[level].len() >= 256;
-        let level = (1..=top).rev().find(wide).unwrap_or(1.min(top));
-        map_indexed(self.levels[level].len(), |node| {
+        let level = (0..=top).rev().find(wide).unwrap_or(0);
+        map_indexed(self.levels[level].len(), |group| {
             let mut result = start();
-            self.pairs_within(level, node, &mut |a, b| found(&mut result, a, b));
-            let own = self.levels[level][node];
-            self.later_nodes(top, 0, level, node, &own, &mut |other| {
-                self.pairs_between(level, node, other, &mut |a, b| found(&mut result, a, b));
-            });
+            self.pairs_within(level, group, &mut |a, b| found(&mut result, a, b));
+            if level < top {
+                let own = self.levels[level + 1][group / SIZE].get(group % SIZE);
+                self.later_groups(top, 0, level, group, &own, &mut |other, bounds| {
+                    let pair = [(group, &own), (other, bounds)];
+                    self.pairs_between(level, pair, &mut |a, b| found(&mut result, a, b));
+                });
+            }
             result
         })
     }
 
-    /// Calls `found` with the nodes of `level` after `node` that overlap `own`.
-    fn later_nodes(
+    /// Calls `found` with the groups of `level` after `own` whose boxes
+    /// overlap `bounds`, the box of `own`. Looks below `group` of the level
+    /// `at`, which is above `level`.
+    fn later_groups(
         &self,
         at: usize,
-        place: usize,
+        group: usize,
         level: usize,
-        node: usize,
-        own: &Bounds,
-        found: &mut impl FnMut(usize),
+        own: usize,
+        bounds: &Bounds,
+        found: &mut impl FnMut(usize, &Bounds),
     ) {
-        let last = (place + 1) * FANOUT.pow((at - level) as u32) - 1;
-        if last <= node || !self.levels[at][place].overlaps(own) {
-            return;
-        }
-        if at == level {
-            return found(place);
-        }
-        for child in self.children(at, place) {
-            self.later_nodes(at - 1, child, level, node, own, found);
-        }
-    }
-
-    fn children(&self, level: usize, node: usize) -> std::ops::Range<usize> {
-        node * FANOUT..((node + 1) * FANOUT).min(self.levels[level - 1].len())
-    }
-
-    fn pairs_within(&self, level: usize, node: usize, found: &mut impl FnMut(u32, u32)) {
-        if level == 0 {
-            return;
-        }
-        for a in self.children(level, node) {
-            self.pairs_within(level - 1, a, found);
-            for b in a + 1..self.children(level, node).end {
-                self.pairs_between(level - 1, a, b, found);
+        let boxes = &self.levels[at][group];
+        for place in places(boxes.overlapping(bounds)) {
+            let child = group * SIZE + place;
+            let last = (child + 1) * SIZE.pow((at - 1 - level) as u32) - 1;
+            if last <= own {
+                continue;
+            }
+            if at - 1 == level {
+                found(child, &boxes.get(place));
+            } else {
+                self.later_groups(at - 1, child, level, own, bounds, found);
             }
         }
     }
 
-    fn pairs_between(&self, level: usize, a: usize, b: usize, found: &mut impl FnMut(u32, u32)) {
-        if !self.levels[level][a].overlaps(&self.levels[level][b]) {
-            return;
-        }
-        if level == 0 {
-            return found(self.items[a], self.items[b]);
-        }
-        // Only children that reach into the other node are compared.
-        let (own, beside) = (self.levels[level][a], self.levels[level][b]);
-        let below = &self.levels[level - 1];
-        let mut reaching = [0; FANOUT];
-        let mut count = 0;
-        for y in self.children(level, b) {
-            if below[y].overlaps(&own) {
-                reaching[count] = y;
-                count += 1;
+    fn pairs_within(&self, level: usize, group: usize, found: &mut impl FnMut(u32, u32)) {
+        let boxes = &self.levels[level][group];
+        let first = group * SIZE;
+        for a in places(self.taken(level, group)) {
+            if level > 0 {
+                self.pairs_within(level - 1, first + a, found);
+            }
+            let own = boxes.get(a);
+            let later = u8::MAX.checked_shl(a as u32 + 1).unwrap_or(0);
+            for b in places(boxes.overlapping(&own) & later) {
+                if level == 0 {
+                    found(self.items[first + a], self.items[first + b]);
+                } else {
+                    let pair = [(first + a, &own), (first + b, &boxes.get(b))];
+                    self.pairs_between(level - 1, pair, found);
+                }
             }
         }
-        for x in self.children(level, a) {
-            if count > 0 && below[x].overlaps(&beside) {
-                for &y in &reaching[..count] {
-                    self.pairs_between(level - 1, x, y, found);
+    }
+
+    /// Pairs between two groups of a level, given with the boxes around them.
+    fn pairs_between(
+        &self,
+        level: usize,
+        [(a, around_a), (b, around_b)]: [(usize, &Bounds); 2],
+        found: &mut impl FnMut(u32, u32),
+    ) {
+        let (boxes_a, boxes_b) = (&self.levels[level][a], &self.levels[level][b]);
+        // Only boxes that reach into the other group are compared.
+        let reaching = boxes_b.overlapping(around_a);
+        if reaching == 0 {
+            return;
+        }
+        for x in places(boxes_a.overlapping(around_b)) {
+            let own = boxes_a.get(x);
+            for y in places(boxes_b.overlapping(&own) & reaching) {
+                let (x, place) = (a * SIZE + x, b * SIZE + y);
+                if level == 0 {
+                    found(self.items[x], self.items[place]);
+                } else {
+                    let pair = [(x, &own), (place, &boxes_b.get(y))];
+                    self.pairs_between(level - 1, pair, found);
                 }
             }
         }
     }
 }
 
-/// The items with boxes, sorted by the cells of a space-filling curve.
-/// There are about as many cells as items, so sorting is counting; within a
-/// cell items keep their order.
-fn along_curve(boxes: &[Bounds]) -> Vec<u32> {
-    const OUT: u32 = u32::MAX;
-    let axis_bits = (boxes.len().max(1).ilog2() / 3 + 1).min(8);
+/// Groups boxes `0..count`.
+fn grouped(count: usize, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Vec<Group> {
+    map_indexed(count.div_ceil(SIZE), |group| {
+        let first = group * SIZE;
+        Group::of((first..count.min(first + SIZE)).map(&bounds))
+    })
+}
+
+/// The items sorted by the cells of a space-filling curve. There are at most
+/// as many cells as items, so sorting is counting; within a cell items keep
+/// their order.
+fn along_curve(count: usize, place: impl Fn(usize) -> Vec3A + Sync + Send) -> Vec<u32> {
+    let axis_bits = (count.max(1).ilog2() / 3).clamp(1, 8);
     let shift = 63 - 3 * axis_bits;
-    let cells = map_indexed(boxes.len(), |i| match boxes[i].is_empty() {
-        true => OUT,
-        false => (morton_code(&boxes[i]) >> shift) as u32,
-    });
+    let cells = map_indexed(count, |i| (morton_code(place(i)) >> shift) as u32);
     let mut next = vec![0_u32; (1 << (3 * axis_bits)) + 1];
-    cells.iter().filter(|&&cell| cell != OUT).for_each(|&cell| next[cell as usize + 1] += 1);
+    cells.iter().for_each(|&cell| next[cell as usize + 1] += 1);
     let mut sum = 0;
     for start in &mut next {
         sum += *start;
@@ -202,11 +261,9 @@ fn along_curve(boxes: &[Bounds]) -> Vec<u32> {
     }
     let mut items = vec![0; sum as usize];
     for (item, &cell) in cells.iter().enumerate() {
-        if cell != OUT {
-            let slot = &mut next[cell as usize];
-            items[*slot as usize] = item as u32;
-            *slot += 1;
-        }
+        let slot = &mut next[cell as usize];
+        items[*slot as usize] = item as u32;
+        *slot += 1;
     }
     items
 }
@@ -220,57 +277,11 @@ fn spread(x: u64) -> u64 {
     (x | x << 2) & 0x1249_2492_4924_9249
 }
 
-/// The place of a box's middle on a curve through [-1, 1]^3.
-fn morton_code(bounds: &Bounds) -> u64 {
-    let cell = |axis: usize| {
-        let middle = bounds.low[axis] * 0.5 + bounds.high[axis] * 0.5;
-        // Middles of unbounded boxes are NaN or infinite: `as` saturates.
-        ((middle + 1.0) * 1_048_576.0) as u64 & 0x1f_ffff
-    };
+/// The place of a point on a curve through [-1, 1]^3.
+fn morton_code(place: Vec3A) -> u64 {
+    // Places of unbounded boxes are NaN or infinite: `as` saturates.
+    let cell = |axis: usize| ((place[axis] + 1.0) * 1_048_576.0) as u64 & 0x1f_ffff;
     spread(cell(0)) | spread(cell(1)) << 1 | spread(cell(2)) << 2
-}
-
-/// A segment in narrow view coordinates, for asking which boxes its image
-/// may meet: tighter than its box where it runs askew.
-#[derive(Debug, Clone, Copy)]
-pub struct SegmentProbe {
-    bounds: Bounds,
-    start: [f32; 2],
-    normal: [f32; 2],
-    slack: f32,
-}
-
-impl SegmentProbe {
-    /// The probe of a segment with outward-rounded `bounds` and ends near
-    /// `start` and `end`.
-    pub fn new(bounds: Bounds, start: [f32; 2], end: [f32; 2]) -> Self {
-        let normal = [end[1] - start[1], start[0] - end[0]];
-        // Coordinates lie within [-1, 1] up to rounding, where a narrow
-        // float is off by at most 2^-24: the ends' errors enter through the
-        // normal (times a distance below 4) and the start (times the
-        // normal), each product and sum rounds once more. Unbounded
-        // segments make this infinite or NaN, and then only the box counts.
-        let slack = (normal[0].abs() + normal[1].abs()) * 4e-6 + 2e-6;
-        SegmentProbe { bounds, start, normal, slack }
-    }
-
-    /// The outward-rounded box of the segment.
-    pub fn bounds(&self) -> &Bounds {
-        &self.bounds
-    }
-
-    /// Whether the segment's image may meet that of `other`.
-    #[inline(always)]
-    pub fn may_meet_image(&self, other: &Bounds) -> bool {
-        let [nx, ny] = self.normal;
-        let middle = |i: usize| other.low[i] * 0.5 + other.high[i] * 0.5;
-        let half = |i: usize| other.high[i] * 0.5 - other.low[i] * 0.5;
-        let (x, y) = (middle(0) - self.start[0], middle(1) - self.start[1]);
-        let reach = nx.abs() * half(0) + ny.abs() * half(1) + self.slack;
-        // Not comparable, where something is unbounded, says "maybe".
-        let offset = (nx * x + ny * y).abs();
-        offset.partial_cmp(&reach) != Some(std::cmp::Ordering::Greater)
-    }
 }
 
 #[cfg(test)]
@@ -298,7 +309,7 @@ mod tests {
             let hierarchy = Hierarchy::new(&boxes);
             for ask in ask {
                 let mut found = Vec::new();
-                hierarchy.visit(|node| node.overlaps(&ask), |item| found.push(item));
+                hierarchy.visit(|group| group.overlapping(&ask), |item| found.push(item));
                 found.sort_unstable();
                 let expected: Vec<u32> = (0..boxes.len() as u32)
                     .filter(|&i| boxes[i as usize].overlaps(&ask))

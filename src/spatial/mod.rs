@@ -4,8 +4,12 @@
 
 mod bounds;
 mod crossings;
+mod group;
 mod hierarchy;
+mod probe;
 
 pub use bounds::{Bounds, Rounding};
-pub use crossings::Crossings;
-pub use hierarchy::{Hierarchy, SegmentProbe};
+pub use crossings::{Crossings, Nearby};
+pub use group::Group;
+pub use hierarchy::Hierarchy;
+pub use probe::SegmentProbe;

@@ -1,6 +1,7 @@
 //! The exact answer of a line method, before anything is rounded.
 
 use crate::kernel::predicates::Place;
+use crate::run::concat_map;
 
 /// A maximal piece of a line on which the invisibility is constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,16 +33,18 @@ impl ExactLines {
 
     /// The lines of all parts, one part after the other.
     pub fn concat(parts: &[Self]) -> Self {
-        let mut all = ExactLines {
-            ends: Vec::with_capacity(parts.iter().map(Self::len).sum()),
-            pieces: Vec::with_capacity(parts.iter().map(Self::piece_count).sum()),
-        };
+        let mut offsets = Vec::with_capacity(parts.len());
+        let mut sum = 0;
         for part in parts {
-            let offset = all.pieces.len() as u32;
-            all.pieces.extend_from_slice(&part.pieces);
-            all.ends.extend(part.ends.iter().map(|end| end + offset));
+            offsets.push(sum);
+            sum += part.pieces.len() as u32;
         }
-        all
+        let ends: Vec<&[u32]> = parts.iter().map(|part| &part.ends[..]).collect();
+        let pieces: Vec<&[ExactPiece]> = parts.iter().map(|part| &part.pieces[..]).collect();
+        ExactLines {
+            ends: concat_map(&ends, |part, end| end + offsets[part]),
+            pieces: concat_map(&pieces, |_, piece| *piece),
+        }
     }
 
     /// The number of lines.

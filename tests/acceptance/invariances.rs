@@ -65,21 +65,31 @@ fn stretches(lines: &VisibleLines) -> Vec<Stretch> {
     joined(lines.pieces.iter().map(|piece| (piece.run, Stretch::new(piece))))
 }
 
-/// Joins what follows one another in one run and differs in nothing.
+/// Joins what follows one another in one run and differs in nothing. What
+/// lies between two pieces keeps them apart, even if it is rounded to a
+/// point.
 fn joined(pieces: impl Iterator<Item = (u32, Stretch)>) -> Vec<Stretch> {
+    let all: Vec<(u32, Stretch)> = pieces.collect();
+    let is_between = |run: u32, stretch: &Stretch, point: DVec2| {
+        all.iter().any(|(other_run, other)| {
+            *other_run == run && !stretch.is_like(other) && other.points.contains(&point)
+        })
+    };
+    let joint = |run: u32, stretch: &Stretch, other: &Stretch| {
+        let shared = |p: &DVec2| other.points.contains(p) && !is_between(run, stretch, *p);
+        stretch.is_like(other).then(|| stretch.points.into_iter().find(shared))?
+    };
     let mut groups: Vec<(u32, Stretch)> = Vec::new();
-    for (run, mut stretch) in pieces {
+    for (run, mut stretch) in all.iter().cloned() {
         // Joining one neighbour may bring it next to another.
-        while let Some(found) = groups.iter().position(|(other_run, other)| {
-            *other_run == run
-                && stretch.is_like(other)
-                && stretch.points.iter().any(|point| other.points.contains(point))
-        }) {
+        while let Some((found, joint)) =
+            groups.iter().enumerate().find_map(|(found, (other_run, other))| {
+                let same_run = (*other_run == run).then_some(other)?;
+                Some((found, joint(run, &stretch, same_run)?))
+            })
+        {
             let (_, other) = groups.swap_remove(found);
-            let common = stretch.points.into_iter().find(|point| other.points.contains(point));
-            let apart = |points: [DVec2; 2]| {
-                if Some(points[0]) == common { points[1] } else { points[0] }
-            };
+            let apart = |points: [DVec2; 2]| if points[0] == joint { points[1] } else { points[0] };
             stretch.points = [apart(stretch.points), apart(other.points)];
         }
         groups.push((run, stretch));

@@ -74,7 +74,7 @@ fn with_points(
     for end in ends {
         let own = around(*end, *end);
         hierarchy.visit(
-            |other| own.overlaps(other),
+            |group| group.overlapping(&own),
             |item| {
                 let (layer, stroke, first) = places[item as usize];
                 let points = layers[layer as usize].get(stroke as usize);

@@ -17,7 +17,7 @@ use glam::DVec3;
 use super::super::{Faces, Soup};
 use super::error::{Fault, Read};
 use super::{Found, stl_text};
-use crate::run::map_chunks;
+use crate::run::{concat_map, map_chunks};
 
 const HEADER: usize = 84;
 const FACET: usize = 50;
@@ -98,17 +98,18 @@ fn soup_of(facets: &[[u8; FACET]]) -> Read<Soup> {
     if let Some(facet) = parts.iter().find_map(|part| part.wrong) {
         return Err(not_finite(facet, &decode(&facets[facet])));
     }
-    let count = parts.iter().map(|part| part.vertices.len()).sum();
-    let mut vertices = Vec::with_capacity(count);
-    let mut numbers = Vec::with_capacity(count);
-    let mut corners = Vec::with_capacity(3 * facets.len());
-    for part in parts {
-        let offset = vertices.len() as u32;
-        vertices.extend_from_slice(&part.vertices);
-        numbers.extend_from_slice(&part.numbers);
-        corners.extend(part.corners.iter().map(|corner| corner + offset));
+    let mut offsets = Vec::with_capacity(parts.len());
+    let mut sum = 0;
+    for part in &parts {
+        offsets.push(sum);
+        sum += part.vertices.len() as u32;
     }
-    let faces = Faces::from_triangles(corners);
+    let vertices: Vec<&[DVec3]> = parts.iter().map(|part| &part.vertices[..]).collect();
+    let numbers: Vec<&[u32]> = parts.iter().map(|part| &part.numbers[..]).collect();
+    let corners: Vec<&[u32]> = parts.iter().map(|part| &part.corners[..]).collect();
+    let vertices = concat_map(&vertices, |_, vertex| *vertex);
+    let numbers = concat_map(&numbers, |_, number| *number);
+    let faces = Faces::from_triangles(concat_map(&corners, |part, corner| corner + offsets[part]));
     Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() })
 }
 

@@ -42,7 +42,7 @@ impl<P: Policy> Walker<'_, P> {
         let mut sum = Sides::default();
         let Some(vertex) = walk.vertices[0] else {
             self.question.hierarchy.visit(
-                |node| node.may_hide(&start),
+                |group| group.hiding(&start),
                 |triangle| sum.add(self.covers_start(walk, triangle)),
             );
             return sum;
@@ -64,7 +64,7 @@ impl<P: Policy> Walker<'_, P> {
         counted.sure = 0;
         counted.vertex = Some(vertex);
         self.question.hierarchy.visit(
-            |node| node.may_hide(start),
+            |group| group.hiding(start),
             |triangle| match self.covers_vertex(vertex, triangle) {
                 Sign::Positive => counted.sure += 1,
                 Sign::Zero => counted.unsure.push(triangle),

@@ -42,7 +42,7 @@ impl<P: Policy> Walker<'_, P> {
         let mut tested = 0;
         let mut events = std::mem::take(&mut self.events);
         let mut met_ends = [false; 2];
-        self.effective.candidates(&walk.probe, |index| {
+        self.effective.candidates_among(&self.nearby, &walk.probe, |index| {
             tested += 1;
             events.extend(self.crossing(walk, index, &mut met_ends));
         });
@@ -129,7 +129,7 @@ impl<P: Policy> Walker<'_, P> {
             _ => {
                 let probe = walk.probe;
                 self.question.hierarchy.visit(
-                    |node| node.overlaps(probe.bounds()) && probe.may_meet_image(node),
+                    |group| group.overlapping(probe.bounds()) & group.meeting_line(&probe),
                     |triangle| events.extend(self.piercing(walk, triangle)),
                 );
             }

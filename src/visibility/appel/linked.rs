@@ -7,11 +7,12 @@
 
 use super::carry::{Foreign, Link, border_cases};
 use super::events::Event;
-use super::walker::Walker;
+use super::walker::{Walk, Walker};
 use super::{gather, part_of};
 use crate::kernel::predicates::Policy;
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::{Cancelled, Counters, Run, map_chunks};
+use crate::spatial::{Bounds, Nearby};
 use crate::view::{Contacts, ExactLines, LineQuestion};
 use std::ops::Range;
 
@@ -158,25 +159,47 @@ fn first_pass<P: Policy>(
     lines: &[FeatureLine],
 ) -> Part {
     let mut part = Part { kinds: Vec::with_capacity(lines.len()), ..Part::default() };
-    for line in lines {
-        let Some(walk) = walker.begin(line) else {
-            part.kinds.push(Kind::Imageless);
-            continue;
-        };
-        if !matches!(line.origin, LineOrigin::Edge(_)) || walk.cut {
-            part.kinds.push(Kind::Alone);
-            continue;
-        }
-        walker.find_events(&walk);
-        match walker.link(line, &walk, contacts) {
-            None => part.kinds.push(Kind::Alone),
-            Some(link) if walker.events.is_empty() && link.is_plain() => {
-                part.kinds.push(Kind::Plain);
+    let mut walks = Vec::with_capacity(NEIGHBOURS);
+    for neighbours in lines.chunks(NEIGHBOURS) {
+        walks.clear();
+        walks.extend(neighbours.iter().map(|line| walker.begin(line)));
+        let boxes = walks.iter().flatten().map(|walk| walk.probe.bounds());
+        let around = boxes.fold(Bounds::EMPTY, |sum, bounds| sum.union(bounds));
+        walker.nearby = walker.effective.look_around(&around);
+        for (line, walk) in neighbours.iter().zip(&walks) {
+            match walk {
+                None => part.kinds.push(Kind::Imageless),
+                Some(walk) => look_at(walker, contacts, line, walk, &mut part, lines.len()),
             }
-            Some(link) => part.list(link, &walker.events, lines.len()),
         }
     }
+    walker.nearby = Nearby::EVERYTHING;
     part
+}
+
+/// Lines that follow one another and are looked at together: they often lie
+/// side by side.
+const NEIGHBOURS: usize = 64;
+
+/// Adds one line, keeping at most `most` events in all.
+fn look_at<P: Policy>(
+    walker: &mut Walker<'_, P>,
+    contacts: &Contacts<'_>,
+    line: &FeatureLine,
+    walk: &Walk,
+    part: &mut Part,
+    most: usize,
+) {
+    if !matches!(line.origin, LineOrigin::Edge(_)) || walk.cut {
+        part.kinds.push(Kind::Alone);
+        return;
+    }
+    walker.find_events(walk);
+    match walker.link(line, walk, contacts) {
+        None => part.kinds.push(Kind::Alone),
+        Some(link) if walker.events.is_empty() && link.is_plain() => part.kinds.push(Kind::Plain),
+        Some(link) => part.list(link, &walker.events, most),
+    }
 }
 
 /// Makes the pieces of one part of the lines.

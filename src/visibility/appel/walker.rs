@@ -7,7 +7,7 @@ use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Crossings, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, Nearby, SegmentProbe};
 use crate::view::{ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
@@ -69,6 +69,8 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Walker<'q, P: Policy> {
     pub(super) question: &'q LineQuestion<'q>,
     pub(super) effective: &'q Crossings,
+    /// The effective edges that matter now.
+    pub(super) nearby: Nearby,
     pub(super) predicates: Predicates<'q, P>,
     pub(super) fault: Option<Fault>,
     pub(super) events: Vec<Event>,
@@ -94,6 +96,7 @@ impl<'q, P: Policy> Walker<'q, P> {
         Walker {
             question,
             effective,
+            nearby: Nearby::EVERYTHING,
             predicates: Predicates::new(question.points),
             fault: options.fault,
             events: Vec::new(),

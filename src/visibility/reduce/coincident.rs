@@ -6,49 +6,66 @@
 //! is drawn. Rounded coordinates only dismiss pairs that are clearly not
 //! collinear and order ends that are clearly apart, both with proven slack.
 
+use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
-use crate::run::{Run, fill_indexed, map_chunks};
-use crate::spatial::{Bounds, Hierarchy, Rounding};
-use crate::view::LineQuestion;
-use glam::DVec2;
+use crate::run::{Run, concat_map, map_chunks};
+use crate::spatial::{Hierarchy, Rounding};
+use crate::view::{LinePiece, LineQuestion};
+use glam::{DVec2, Vec3A};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
+/// Where a piece comes from: what it takes to ask predicates about it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Origin {
+    /// Index of its line.
+    pub(super) line: u32,
+    /// A bound of the error of its image.
+    pub(super) slack: f64,
+}
+
 /// Cuts overlapping pieces so that each stretch of an image line is drawn
-/// once, and numbers the runs.
+/// once, and numbers the runs. Beside the pieces, their origins if wanted.
 pub(super) fn resolve_coincident<P: Policy>(
     question: &LineQuestion<'_>,
     pieces: &[RoundedPiece],
+    origins_wanted: bool,
     run: &Run<'_>,
-) -> Vec<RoundedPiece> {
+) -> (Vec<LinePiece>, Vec<Origin>) {
     let groups = groups_of::<P>(question, pieces, run);
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
-        let mut found = Resolved::default();
+        let origins = origins_wanted.then(|| Vec::with_capacity(part.len()));
+        let mut found = Resolved { pieces: Vec::with_capacity(part.len()), origins, runs: 0 };
         for group in part {
             found.add(question, &predicates, pieces, groups.get(group));
         }
         (found, predicates.counters())
     });
-    let mut reduced = Vec::with_capacity(pieces.len());
     let mut runs = 0;
-    for (found, counters) in resolved {
-        let renumbered = |piece: RoundedPiece| RoundedPiece { run: runs + piece.run, ..piece };
-        reduced.extend(found.pieces.into_iter().map(renumbered));
+    let mut first_runs = Vec::with_capacity(resolved.len());
+    for (found, counters) in &resolved {
+        first_runs.push(runs);
         runs += found.runs;
-        run.merge(&counters);
+        run.merge(counters);
     }
-    reduced
+    let lists: Vec<&[LinePiece]> = resolved.iter().map(|(found, _)| &found.pieces[..]).collect();
+    let renumbered =
+        |part: usize, piece: &LinePiece| LinePiece { run: first_runs[part] + piece.run, ..*piece };
+    let origins = resolved.iter().filter_map(|(found, _)| found.origins.as_deref());
+    let origins: Vec<&[Origin]> = origins.collect();
+    (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin))
 }
 
 /// Groups that one task resolves.
-const PART: usize = 1024;
+const PART: usize = 2048;
 
 /// What becomes of some groups.
-#[derive(Default)]
 struct Resolved {
-    pieces: Vec<RoundedPiece>,
+    pieces: Vec<LinePiece>,
+    /// One for each piece, if wanted.
+    origins: Option<Vec<Origin>>,
     /// Runs are numbered from 0 to this.
     runs: u32,
 }
@@ -65,23 +82,32 @@ impl Resolved {
         match group {
             [] => {}
             // Most pieces lie on no other.
-            [alone] => self.append([RoundedPiece { run: 0, ..piece(*alone) }]),
+            [alone] => self.append(question, [RoundedPiece { run: 0, ..piece(*alone) }]),
             [first, others @ ..]
                 if others.iter().all(|&other| piece(other).line == piece(*first).line) =>
             {
-                self.append(follow_line(pieces, group));
+                self.append(question, follow_line(pieces, group));
             }
-            _ => self.append(ImageLine::new(question, predicates, pieces, group).resolve()),
+            _ => {
+                self.append(question, ImageLine::new(question, predicates, pieces, group).resolve())
+            }
         }
     }
 
     /// Appends a group's pieces, whose runs are numbered from 0.
-    fn append(&mut self, group: impl IntoIterator<Item = RoundedPiece>) {
+    fn append(
+        &mut self,
+        question: &LineQuestion<'_>,
+        group: impl IntoIterator<Item = RoundedPiece>,
+    ) {
         let first = self.runs;
         for piece in group {
             self.runs = self.runs.max(first + piece.run + 1);
             let run = first + piece.run;
-            self.pieces.push(RoundedPiece { run, ..piece });
+            if let Some(origins) = &mut self.origins {
+                origins.push(Origin { line: piece.line, slack: piece.slack });
+            }
+            self.pieces.push(line_piece(question, &RoundedPiece { run, ..piece }));
         }
     }
 }
@@ -199,15 +225,18 @@ fn image_hierarchy(pieces: &[RoundedPiece]) -> Hierarchy {
         .flat_map(|piece| piece.image)
         .fold(empty, |(low, high), p| (low.min(p), high.max(p)));
     let rounding = Rounding::for_ranges([low.x..high.x, low.y..high.y, -1.0..1.0]);
-    let mut boxes = vec![Bounds::EMPTY; pieces.len()];
-    fill_indexed(&mut boxes, |i| {
+    let bounds = |i: usize| {
         let [a, b] = pieces[i].image;
         let slack = DVec2::splat(pieces[i].slack);
         let direction = direction_range(b - a, pieces[i].slack);
         let (low, high) = (a.min(b) - slack, a.max(b) + slack);
         rounding.around(low.extend(direction[0]), high.extend(direction[1]))
-    });
-    Hierarchy::new(&boxes)
+    };
+    let place = |i: usize| {
+        let start = pieces[i].image[0];
+        Vec3A::new(rounding.nearest(0, start.x), rounding.nearest(1, start.y), 0.0)
+    };
+    Hierarchy::of(pieces.len(), place, bounds)
 }
 
 /// The range of a piece's direction, either way along it being the same: a

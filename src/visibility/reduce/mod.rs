@@ -14,14 +14,14 @@ mod rounded;
 
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::LineOrigin;
-use crate::run::{Cancelled, Counters, Run, map_chunks};
+use crate::run::{Cancelled, Counters, Run, concat_map, map_chunks};
 use crate::view::{Crossing, ExactLines, LinePiece, LineQuestion, LineSource, VisibleLines};
-use coincident::resolve_coincident;
+use coincident::{Origin, resolve_coincident};
 use passing::find_crossings;
 use rounded::{RoundedPiece, round_line};
 
 /// Lines that one task rounds.
-const PART: usize = 512;
+const PART: usize = 2048;
 
 /// Reduces coincident lines to one and rounds all coordinates to the view
 /// frame. Expected O(n log n) for n pieces.
@@ -34,8 +34,8 @@ pub fn reduce<P: Policy>(
     answer: &ExactLines,
     run: &Run<'_>,
 ) -> Result<VisibleLines, Cancelled> {
-    let pieces = reduced::<P>(question, answer, run)?;
-    Ok(drawn(question, &pieces, run))
+    let (pieces, _) = resolved::<P>(question, answer, false, run)?;
+    Ok(drawn(question, pieces, run))
 }
 
 /// As [`reduce`], and where lines of the drawing pass in front of others:
@@ -50,54 +50,53 @@ pub fn reduce_with_crossings<P: Policy>(
     answer: &ExactLines,
     run: &Run<'_>,
 ) -> Result<(VisibleLines, Vec<Crossing>), Cancelled> {
-    let pieces = reduced::<P>(question, answer, run)?;
-    let crossings =
-        run.stage("crossings", pieces.len() as u64, || find_crossings::<P>(question, &pieces, run));
+    let (pieces, origins) = resolved::<P>(question, answer, true, run)?;
+    let crossings = run.stage("crossings", pieces.len() as u64, || {
+        find_crossings::<P>(question, &pieces, &origins, run)
+    });
     run.check()?;
-    Ok((drawn(question, &pieces, run), crossings))
+    Ok((drawn(question, pieces, run), crossings))
 }
 
 /// Rounded pieces that do not lie on one another.
-fn reduced<P: Policy>(
+fn resolved<P: Policy>(
     question: &LineQuestion<'_>,
     answer: &ExactLines,
+    origins_wanted: bool,
     run: &Run<'_>,
-) -> Result<Vec<RoundedPiece>, Cancelled> {
+) -> Result<(Vec<LinePiece>, Vec<Origin>), Cancelled> {
     let pieces = run.stage("rounding", answer.piece_count() as u64, || {
         let parts = map_chunks(answer.len(), PART, |part| {
             let predicates = Predicates::<P>::new(question.points);
-            let mut pieces = Vec::new();
+            let count = part.clone().map(|line| answer.line(line).len()).sum();
+            let mut pieces = Vec::with_capacity(count);
             for line in part {
                 round_line(question, &predicates, line as u32, answer.line(line), &mut pieces);
             }
             (pieces, predicates.counters())
         });
-        gather(parts, run)
+        gather(&parts, run)
     });
     run.check()?;
-    let pieces = run.stage("coincident lines", pieces.len() as u64, || {
-        resolve_coincident::<P>(question, &pieces, run)
+    let resolved = run.stage("coincident lines", pieces.len() as u64, || {
+        resolve_coincident::<P>(question, &pieces, origins_wanted, run)
     });
     run.check()?;
-    Ok(pieces)
+    Ok(resolved)
 }
 
-/// The public form of all pieces.
-fn drawn(question: &LineQuestion<'_>, pieces: &[RoundedPiece], run: &Run<'_>) -> VisibleLines {
+/// The drawing of all pieces.
+fn drawn(question: &LineQuestion<'_>, pieces: Vec<LinePiece>, run: &Run<'_>) -> VisibleLines {
     let objects = question.mesh.objects().iter().map(|object| object.name.clone()).collect();
     run.count("pieces", pieces.len() as u64);
-    let pieces = pieces.iter().map(|piece| line_piece(question, piece)).collect();
     VisibleLines { frame: *question.frame, objects, pieces, counters: run.counters() }
 }
 
 /// Joins the results of parallel parts.
-fn gather<T: Clone>(parts: Vec<(Vec<T>, Counters)>, run: &Run<'_>) -> Vec<T> {
-    let mut all = Vec::with_capacity(parts.iter().map(|(list, _)| list.len()).sum());
-    for (list, counters) in parts {
-        all.extend(list);
-        run.merge(&counters);
-    }
-    all
+fn gather<T: Copy + Send + Sync>(parts: &[(Vec<T>, Counters)], run: &Run<'_>) -> Vec<T> {
+    parts.iter().for_each(|(_, counters)| run.merge(counters));
+    let lists: Vec<&[T]> = parts.iter().map(|(list, _)| &list[..]).collect();
+    concat_map(&lists, |_, piece| *piece)
 }
 
 /// The public form of a piece.

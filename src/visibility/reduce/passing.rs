@@ -16,26 +16,28 @@
 //! So the order in depth is exact, and whether the crossing lies on the
 //! pieces is decided within their rounding, in favour of their ends.
 
-use super::rounded::RoundedPiece;
+use super::coincident::Origin;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Policy, Predicates};
-use crate::run::Run;
+use crate::run::{Run, map_indexed};
 use crate::spatial::{Bounds, Hierarchy, Rounding};
-use crate::view::{Crossing, LineQuestion};
+use crate::view::{Crossing, LinePiece, LineQuestion};
 use glam::DVec2;
 
 /// All crossings, sorted.
 pub(super) fn find_crossings<P: Policy>(
     question: &LineQuestion<'_>,
-    pieces: &[RoundedPiece],
+    pieces: &[LinePiece],
+    origins: &[Origin],
     run: &Run<'_>,
 ) -> Vec<Crossing> {
-    let hierarchy = Hierarchy::new(&boxes(pieces));
+    let hierarchy = Hierarchy::new(&boxes(pieces, origins));
     let found = hierarchy.overlapping_pairs(
         || (Predicates::<P>::new(question.points), Vec::new()),
         |(predicates, crossings), a, b| {
-            let [first, second] = [a, b].map(|index| &pieces[index as usize]);
-            if first.line == second.line || !may_meet(first, second) {
+            let [first, second] = [a, b].map(|index| origins[index as usize]);
+            let images = [a, b].map(|index| pieces[index as usize].points);
+            if first.line == second.line || !may_meet(images, first.slack + second.slack) {
                 return;
             }
             let carriers =
@@ -58,23 +60,22 @@ pub(super) fn find_crossings<P: Policy>(
 }
 
 /// Boxes of the images of pieces, rounded outward; depth is left open.
-fn boxes(pieces: &[RoundedPiece]) -> Vec<Bounds> {
+fn boxes(pieces: &[LinePiece], origins: &[Origin]) -> Vec<Bounds> {
     let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    let points = pieces.iter().flat_map(|piece| piece.image);
+    let points = pieces.iter().flat_map(|piece| piece.points);
     let (low, high) = points.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
     let rounding = Rounding::for_ranges([low.x..high.x, low.y..high.y, 0.0..0.0]);
-    let around = |piece: &RoundedPiece| {
-        let ([a, b], slack) = (piece.image, DVec2::splat(4.0 * piece.slack));
+    let around = |i: usize| {
+        let ([a, b], slack) = (pieces[i].points, DVec2::splat(4.0 * origins[i].slack));
         rounding.around((a.min(b) - slack).extend(0.0), (a.max(b) + slack).extend(0.0))
     };
-    pieces.iter().map(around).collect()
+    map_indexed(pieces.len(), around)
 }
 
-/// Whether the images of two pieces meet, as far as floats can tell.
-fn may_meet(first: &RoundedPiece, second: &RoundedPiece) -> bool {
-    let slack = 4.0 * (first.slack + second.slack);
-    reaches_across(first.image, second.image, slack)
-        && reaches_across(second.image, first.image, slack)
+/// Whether two images that are off by `slack` together meet, as far as
+/// floats can tell.
+fn may_meet([first, second]: [[DVec2; 2]; 2], slack: f64) -> bool {
+    reaches_across(first, second, 4.0 * slack) && reaches_across(second, first, 4.0 * slack)
 }
 
 /// Whether the ends of `other` do not clearly lie on one side of the line
