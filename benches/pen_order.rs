@@ -6,6 +6,8 @@
 //!    vpype's time is that of a run with the command less that of one without.
 //! 2. 50 000 of the edges of a grid of triangles, shuffled: the number of trails
 //!    against half the number of odd joints.
+//! 3. All edges of a torus, hidden ones too, 200 000 pieces and more: the time
+//!    that their visibility takes, and that of styling, joining and ordering.
 //!
 //! `cargo bench --bench pen_order`; UMRISS_VPYPE names the program if it is
 //! not on the path. Tables on standard output.
@@ -17,11 +19,17 @@ use std::error::Error;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
-use umriss::drawing::{Drawing, DrawingOptions, Effort, Layer, LineStyle, Paper, Strokes};
+use umriss::drawing::{
+    Drawing, DrawingOptions, Effort, Hidden, Layer, LayerTags, LineStyle, Paper, Strokes, Styles,
+};
 use umriss::export::{SvgOptions, to_svg};
-use umriss::model::Color;
-use umriss::run::Counters;
-use umriss::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use umriss::kernel::predicates::Exact;
+use umriss::model::{Camera, Color, FeatureOptions, Mesh, Soup};
+use umriss::run::{Counters, Run};
+use umriss::view::{
+    Frame, LineClass, LinePiece, LineSource, PreparedView, Projection, VisibleLines,
+};
+use umriss::visibility::{AppelOptions, appel, reduce_with_crossings};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -31,7 +39,7 @@ fn main() -> Outcome<()> {
     println!("| --- | ---: | ---: | ---: |");
     let strokes = separate(50_000);
     let svg = folder.path().join("strokes.svg");
-    std::fs::write(&svg, to_svg(&strokes, &SvgOptions { precision: 6, command: None })?)?;
+    std::fs::write(&svg, to_svg(&strokes, &SvgOptions { precision: 6, ..SvgOptions::default() })?)?;
     let mut reference = None;
     if let Some((seconds, metres)) = vpype(&svg)? {
         println!("| vpype linesort | {seconds:.2} | {metres:.2} | 1.00 |");
@@ -59,7 +67,68 @@ fn main() -> Outcome<()> {
         let ratio = reference.map_or(String::new(), |other: f64| format!("{:.3}", metres / other));
         println!("| {name} | {best:.2} | {metres:.2} | {ratio} |");
     }
-    grid()
+    grid()?;
+    whole()
+}
+
+/// A drawing with everything: halos, widths by depth, dashes, an order.
+fn whole() -> Outcome<()> {
+    let (around, across) = (310_u32, 220_u32);
+    let at = |i: u32, j: u32| {
+        let [u, v] = [f64::from(i) / f64::from(around), f64::from(j) / f64::from(across)]
+            .map(|turn| turn * std::f64::consts::TAU);
+        let reach = 10.0 + 4.0 * v.cos();
+        DVec3::new(reach * u.cos(), reach * u.sin(), 4.0 * v.sin())
+    };
+    let vertices = (0..around).flat_map(|i| (0..across).map(move |j| at(i, j))).collect();
+    let mut soup = Soup { vertices, ..Soup::default() };
+    for i in 0..around {
+        for j in 0..across {
+            let [k, l] = [(i + 1) % around, (j + 1) % across];
+            let [a, b, c, d] = [[i, j], [k, j], [k, l], [i, l]].map(|[i, j]| i * across + j);
+            soup.faces.push(&[a, b, c], None);
+            soup.faces.push(&[a, c, d], None);
+        }
+    }
+    let mesh = Mesh::new(vec![soup], None)?;
+    let view =
+        Camera::Orthographic { forward: DVec3::new(0.5, 0.7, -0.6), target: None, up: DVec3::Z };
+    let view = view.view(mesh.bounds())?;
+    let features = FeatureOptions::default().with_classes(&LineClass::ALL);
+    let run = Run::default();
+    let options = DrawingOptions {
+        hidden: Hidden::Dashed,
+        halo: "0.3mm".parse()?,
+        weight: Some("0.35..0.1mm".parse()?),
+        ..DrawingOptions::default()
+    };
+    println!("\n| all edges of a torus | seconds |");
+    println!("| --- | ---: |");
+    let mut best = [f64::INFINITY; 4];
+    let mut pieces = 0;
+    for _ in 0..3 {
+        let start = Instant::now();
+        let prepared = PreparedView::new::<Exact>(&mesh, &view, &features, &run)?;
+        let question = prepared.question(true);
+        let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
+        let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, &run)?;
+        best[0] = best[0].min(start.elapsed().as_secs_f64());
+        pieces = lines.pieces.len();
+        let start = Instant::now();
+        let mut drawing = Drawing::new(&lines, &options)?;
+        drawing.order(Effort::Best);
+        best[1] = best[1].min(start.elapsed().as_secs_f64());
+        let start = Instant::now();
+        let mut drawing = Drawing::styled(&lines, &crossings, &options, &Styles::default())?;
+        best[2] = best[2].min(start.elapsed().as_secs_f64());
+        drawing.order(Effort::Greedy);
+        best[3] = best[3].min(start.elapsed().as_secs_f64());
+    }
+    println!("| visibility and crossings of {pieces} pieces | {:.2} |", best[0]);
+    println!("| styled in widths and dashes, joined, best order | {:.2} |", best[1]);
+    println!("| the same with halos, without order | {:.2} |", best[2]);
+    println!("| the same with halos, greedy order | {:.2} |", best[3]);
+    Ok(())
 }
 
 fn pen_up(drawing: &Drawing) -> f64 {
@@ -77,7 +146,8 @@ fn separate(count: usize) -> Drawing {
         strokes.push([from, from + way]);
     }
     let style = LineStyle { width: 0.3, color: Color([0; 3]) };
-    let layer = Layer { number: 1, label: "1-visible".into(), style, strokes };
+    let layer =
+        Layer { number: 1, label: "1-visible".into(), style, strokes, tags: LayerTags::default() };
     Drawing { size: DVec2::new(420.0, 297.0), scale: 1.0, layers: vec![layer] }
 }
 

@@ -30,7 +30,9 @@ pub(super) const SINGLE: u32 = u32::MAX;
 ///
 /// A joint of two segments on one straight line is no point of the polyline:
 /// they are of one run, or the three points are collinear as they stand.
-pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32]) -> Strokes {
+/// Where other polylines meet it there it is a point still if `junctions`
+/// asks for those, as what is to be smoothed does.
+pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32], junctions: bool) -> Strokes {
     let (partners, busy) = pair_ends(segments);
     let mut drawn = vec![false; segments.len()];
     let mut strokes = Strokes::default();
@@ -47,7 +49,7 @@ pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32]) -> Strokes {
             drawn[(end / 2) as usize] = true;
             points.push(point(segments, end ^ 1));
             let next = partners[(end ^ 1) as usize];
-            if next != SINGLE && next != first && !busy[next as usize] {
+            if next != SINGLE && next != first && !(junctions && busy[next as usize]) {
                 let far = point(segments, next ^ 1);
                 if goes_straight_on(segments, runs, [end, next], &points, far) {
                     points.pop();
@@ -59,7 +61,7 @@ pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32]) -> Strokes {
                 next => end = next,
             }
         }
-        if is_closed(&points) && !busy[first as usize] {
+        if is_closed(&points) && !(junctions && busy[first as usize]) {
             // The same where a closed polyline happens to begin.
             let second = points[1];
             if 4 < points.len() && goes_straight_on(segments, runs, [end, first], &points, second) {

@@ -1,19 +1,20 @@
-//! Hidden polylines become dashes.
+//! Polylines become dashes.
 //!
-//! ISO 128-2 makes a dashed line of dashes 12 line widths long and gaps of 3.
+//! ISO 128-2 makes a dashed line of dashes 12 line widths long and gaps of 3;
+//! other types of line have other periods (`dash`).
 //! Practice adds that a dashed line begins and ends with a dash and that its
 //! corners are drawn. Therefore:
 //!
 //! 1. A polyline is cut into stretches at its corners, where it turns by more
 //!    than 30 degrees; gentler bends are part of a curve, and dashes bend with
 //!    it. A stretch too short for a gap is not cut off but left to the next.
-//! 2. In a stretch of length L the number of dashes is the one that brings the
-//!    period nearest to its nominal length, and dashes and gaps are stretched
-//!    alike so that the first dash begins at its beginning and the last
+//! 2. In a stretch of length L the number of periods is the one that brings
+//!    them nearest to their nominal length, and dashes and gaps are stretched
+//!    alike so that the first dash begins at its beginning and the same dash
 //!    ends at its end:
 //!
 //!    ```text
-//!    |=====  =====  =====|      n dashes, n - 1 gaps
+//!    |=====  =====  =====|      n dashes, n - 1 periods
 //!    ```
 //!
 //! 3. Two dashes that meet at a corner are drawn as one stroke.
@@ -22,89 +23,111 @@
 //!
 //! What is shorter than a dash, or has no room for a gap, is drawn solid.
 
-use super::{Strokes, is_closed};
+use super::{Dash, Strokes, is_closed};
 use glam::DVec2;
-
-/// Length of a dash in line widths [ISO 128-2, line 02].
-const DASH: f64 = 12.0;
-
-/// Length of a gap in line widths.
-const GAP: f64 = 3.0;
-
-/// The least length of a stretch, in line widths: two dashes and a gap.
-const STRETCH: f64 = 2.0 * DASH + GAP;
 
 /// Square of the cosine of 30 degrees: where a corner begins.
 const CORNER: f64 = 0.75;
 
 /// Dashes along all of `strokes` for a line of `width` millimetres.
-pub(super) fn dashed(strokes: &Strokes, width: f64) -> Strokes {
+pub(super) fn dashed(strokes: &Strokes, dash: Dash, width: f64) -> Strokes {
+    let Some(pattern) = Pattern::new(dash, width) else {
+        return strokes.clone();
+    };
     let mut dashes = Strokes::default();
     for stroke in strokes.iter() {
         let path = Path::new(stroke);
-        for [from, to] in pattern(&path, width) {
+        for [from, to] in pattern.along(&path) {
             path.draw(from, to, &mut dashes);
         }
     }
     dashes
 }
 
-/// Where the dashes of a path begin and end, by length along it.
-fn pattern(path: &Path, width: f64) -> Vec<[f64; 2]> {
-    let corners = path.corners();
-    if path.closed && corners.is_empty() {
-        return ring_pattern(path.length(), width);
-    }
-    let mut dashes: Vec<[f64; 2]> = Vec::new();
-    let mut start = 0.0;
-    let stops = corners.into_iter().chain([path.length()]);
-    for stop in stops {
-        let last = stop == path.length();
-        let too_short = |length: f64| length < STRETCH * width;
-        if !last && (too_short(stop - start) || too_short(path.length() - stop)) {
-            continue;
-        }
-        let first = dashes.len();
-        stretch_pattern(start, stop, width, &mut dashes);
-        if 0 < first {
-            // Rule 3: the corner's two dashes are one.
-            dashes[first - 1][1] = dashes[first][1];
-            dashes.remove(first);
-        }
-        start = stop;
-    }
-    dashes
+/// Dashes and gaps in line widths, and the width.
+struct Pattern {
+    elements: &'static [f64],
+    /// The first dash, with which a line begins and ends.
+    dash: f64,
+    /// All elements together.
+    period: f64,
+    width: f64,
 }
 
-/// Rule 2: dashes from `start` to `stop`, a dash at either end.
-fn stretch_pattern(start: f64, stop: f64, width: f64, dashes: &mut Vec<[f64; 2]>) {
-    let length = stop - start;
-    let count = ((length / width + GAP) / (DASH + GAP)).round().max(1.0);
-    let unit = length / (count * (DASH + GAP) - GAP);
-    for dash in 0..count as u64 {
-        let from = start + dash as f64 * (DASH + GAP) * unit;
-        dashes.push([from, from + DASH * unit]);
+impl Pattern {
+    fn new(dash: Dash, width: f64) -> Option<Self> {
+        let elements = dash.elements();
+        let dash = *elements.first()?;
+        Some(Pattern { elements, dash, period: elements.iter().sum(), width })
     }
-    // The ends are where they are, whatever the sums above were rounded to.
-    if let Some(dash) = dashes.last_mut() {
-        dash[1] = stop;
+
+    /// Dashes of one period from `start`, a line width being `unit` long.
+    fn push_period(&self, start: f64, unit: f64, dashes: &mut Vec<[f64; 2]>) {
+        let mut at = 0.0;
+        for pair in self.elements.chunks(2) {
+            dashes.push([start + at * unit, start + (at + pair[0]) * unit]);
+            at += pair.iter().sum::<f64>();
+        }
     }
 }
 
-/// Rule 4: dashes around a closed curve of `length`.
-fn ring_pattern(length: f64, width: f64) -> Vec<[f64; 2]> {
-    let count = (length / width / (DASH + GAP)).round();
-    if count < 2.0 {
-        return vec![[0.0, length]];
+impl Pattern {
+    /// Where the dashes of a path begin and end, by length along it.
+    fn along(&self, path: &Path) -> Vec<[f64; 2]> {
+        let corners = path.corners();
+        if path.closed && corners.is_empty() {
+            return self.ring(path.length());
+        }
+        let mut dashes: Vec<[f64; 2]> = Vec::new();
+        let mut start = 0.0;
+        let stops = corners.into_iter().chain([path.length()]);
+        for stop in stops {
+            let last = stop == path.length();
+            // The least length of a stretch is a period and a dash.
+            let too_short = |length: f64| length < (self.period + self.dash) * self.width;
+            if !last && (too_short(stop - start) || too_short(path.length() - stop)) {
+                continue;
+            }
+            let first = dashes.len();
+            self.stretch(start, stop, &mut dashes);
+            if 0 < first {
+                // Rule 3: the corner's two dashes are one.
+                dashes[first - 1][1] = dashes[first][1];
+                dashes.remove(first);
+            }
+            start = stop;
+        }
+        dashes
     }
-    let unit = length / (count * (DASH + GAP));
-    let mut dashes = vec![[0.0, 0.5 * DASH * unit]];
-    for dash in 1..count as u64 {
-        let middle = dash as f64 * (DASH + GAP) * unit;
-        dashes.push([middle - 0.5 * DASH * unit, middle + 0.5 * DASH * unit]);
+
+    /// Rule 2: dashes from `start` to `stop`, a dash at either end.
+    fn stretch(&self, start: f64, stop: f64, dashes: &mut Vec<[f64; 2]>) {
+        let (length, rest) = (stop - start, self.period - self.dash);
+        let count = ((length / self.width + rest) / self.period).round().max(1.0);
+        let unit = length / (count * self.period - rest);
+        for period in 0..count as u64 - 1 {
+            self.push_period(start + period as f64 * self.period * unit, unit, dashes);
+        }
+        // The end is where it is, whatever the sums above are rounded to.
+        dashes.push([start + (count - 1.0) * self.period * unit, stop]);
     }
-    dashes.push([length - 0.5 * DASH * unit, length]);
-    dashes
+
+    /// Rule 4: dashes around a closed curve of `length`.
+    fn ring(&self, length: f64) -> Vec<[f64; 2]> {
+        let count = (length / self.width / self.period).round();
+        if count < 2.0 {
+            return vec![[0.0, length]];
+        }
+        let unit = length / (count * self.period);
+        let half = 0.5 * self.dash * unit;
+        let mut dashes = Vec::new();
+        for period in 0..count as u64 {
+            self.push_period(period as f64 * self.period * unit - half, unit, &mut dashes);
+        }
+        dashes[0] = [0.0, half];
+        dashes.push([length - half, length]);
+        dashes
+    }
 }
 
 /// A polyline measured by length.

@@ -30,6 +30,17 @@ pub enum DrawingError {
         /// The right and upper border of all lines.
         high: [f64; 2],
     },
+    /// Not a range of widths.
+    #[error("`{0}` is no range of widths; expected near and far with a unit, as in 0.7..0.18mm")]
+    Weight(String),
+    /// A style file that cannot be read.
+    #[error("line {line}: {message}")]
+    Styles {
+        /// Where, counted from 1.
+        line: usize,
+        /// What is wrong.
+        message: String,
+    },
     /// A word that is none of the words expected.
     #[error("`{word}` is no choice here; expected {expected}")]
     Choice {

@@ -65,6 +65,12 @@ pub(super) fn parse_number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| plain && number.is_finite())
 }
 
+/// A length in millimetres as a short number: at most three decimals.
+pub(super) fn plain(millimetres: f64) -> String {
+    let text = format!("{millimetres:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,10 +6,13 @@
 //!
 //! 0. `cropping`: a picture ends at the window asked for, a perspective one at
 //!    its field of view.
-//! 1. `layering`: every piece goes into a layer, by visibility, class or
-//!    object; pieces that the style leaves out go nowhere.
+//! 1. `layering`, with `styles`: every piece goes into a layer, by
+//!    visibility, class or object, and by how it looks; pieces that the style
+//!    leaves out go nowhere.
 //! 2. `placement`: the box of what is drawn decides the scale, and its centre
-//!    comes to the centre of the page; y turns downwards.
+//!    comes to the centre of the page; y turns downwards. Now that a
+//!    millimetre is known, `haloing` interrupts lines behind others, and
+//!    `weight` cuts them where their width changes.
 //! 3. `merging`: pieces of one exact straight line that follow one another
 //!    become one segment.
 //! 4. `chaining`, with `joints`: segments that meet become polylines, as long
@@ -31,8 +34,10 @@
 mod chaining;
 mod cropping;
 mod cutting;
+mod dash;
 mod dashing;
 mod error;
+mod haloing;
 mod joints;
 mod layering;
 mod length;
@@ -42,19 +47,30 @@ mod ordering;
 mod page;
 mod paper;
 mod placement;
+mod preset;
 mod scale;
 mod smoothing;
 mod statistics;
 mod strokes;
+#[cfg(feature = "devices")]
+mod style_file;
+mod styles;
+mod weight;
 mod window;
 
+pub use dash::Dash;
 pub use error::DrawingError;
 pub use length::Length;
-pub use options::{DrawingOptions, Hidden, Join, LayerBy};
+pub use options::{DrawingOptions, Hidden, HiddenBy, Join, LayerBy};
 pub use ordering::Effort;
-pub use page::{Drawing, Layer, LineStyle};
+pub use page::{Drawing, Layer, LayerTags, LineStyle};
 pub use paper::Paper;
+pub use preset::Preset;
 pub use scale::Scale;
 pub use statistics::{PenStatistics, Speeds};
 pub use strokes::{Strokes, is_closed};
+#[cfg(feature = "devices")]
+pub use style_file::read_styles;
+pub use styles::{LineRule, ObjectRule, Styles, matches};
+pub use weight::{Weight, WeightBy};
 pub use window::Window;

@@ -1,6 +1,6 @@
 //! What may be wished of a drawing.
 
-use super::{DrawingError, Length, Paper, Scale, Window};
+use super::{DrawingError, Length, Paper, Scale, Weight, Window};
 use crate::model::Unit;
 use std::str::FromStr;
 
@@ -30,6 +30,39 @@ impl FromStr for Hidden {
     }
 }
 
+/// What hidden lines are told apart by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HiddenBy {
+    /// Nothing: hidden is hidden.
+    #[default]
+    Together,
+    /// The number of surfaces in front.
+    Sheets,
+    /// The number of closed solids in front: two surfaces are one.
+    Solids,
+}
+
+impl HiddenBy {
+    /// Whether there is more than one kind of hidden lines.
+    pub fn tells_apart(self) -> bool {
+        self != HiddenBy::Together
+    }
+}
+
+/// Reads `together`, `sheets`, `solids`.
+impl FromStr for HiddenBy {
+    type Err = DrawingError;
+
+    fn from_str(text: &str) -> Result<Self, DrawingError> {
+        match text {
+            "together" => Ok(HiddenBy::Together),
+            "sheets" => Ok(HiddenBy::Sheets),
+            "solids" => Ok(HiddenBy::Solids),
+            _ => Err(refuse(text, "together, sheets or solids")),
+        }
+    }
+}
+
 /// What decides the layer of a line. Hidden lines always have layers of
 /// their own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -41,9 +74,11 @@ pub enum LayerBy {
     Class,
     /// The name of the object.
     Object,
+    /// The class within the object.
+    Part,
 }
 
-/// Reads `visibility`, `class`, `object`.
+/// Reads `visibility`, `class`, `object`, `part`.
 impl FromStr for LayerBy {
     type Err = DrawingError;
 
@@ -52,7 +87,8 @@ impl FromStr for LayerBy {
             "visibility" => Ok(LayerBy::Visibility),
             "class" => Ok(LayerBy::Class),
             "object" => Ok(LayerBy::Object),
-            _ => Err(refuse(text, "visibility, class or object")),
+            "part" => Ok(LayerBy::Part),
+            _ => Err(refuse(text, "visibility, class, object or part")),
         }
     }
 }
@@ -106,6 +142,13 @@ pub struct DrawingOptions {
     pub layer_by: LayerBy,
     /// How hidden lines are drawn.
     pub hidden: Hidden,
+    /// What hidden lines are told apart by, in layers and types of line.
+    pub hidden_by: HiddenBy,
+    /// How wide the gap is in a line where another passes in front of it,
+    /// across that one; 0 is no gap.
+    pub halo: Length,
+    /// Widths of visible lines by depth or class, in place of one width.
+    pub weight: Option<Weight>,
     /// Which segments may be joined to one stroke.
     pub join: Join,
     /// Strokes shorter than this are left out; 0 leaves out none.
@@ -135,6 +178,9 @@ impl Default for DrawingOptions {
             unit: Unit::Millimetre,
             layer_by: LayerBy::Visibility,
             hidden: Hidden::None,
+            hidden_by: HiddenBy::Together,
+            halo: Length::from_millimetres(0.0),
+            weight: None,
             join: Join::All,
             min_length: Length::from_millimetres(0.0),
             simplify: Length::from_millimetres(0.0),

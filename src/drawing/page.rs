@@ -3,14 +3,16 @@
 use super::chaining::chain;
 use super::cropping::crop;
 use super::dashing::dashed;
-use super::layering::{LayerPlan, plan};
+use super::haloing::interrupt;
+use super::layering::{LayerPlan, Layering};
 use super::merging::segments;
 use super::placement::Placement;
 use super::smoothing::{Smoothing, smooth};
-use super::{DrawingError, DrawingOptions, Hidden, Join, Strokes};
+use super::weight::Weights;
+use super::{Dash, DrawingError, DrawingOptions, Join, Strokes, Styles};
 use crate::model::Color;
 use crate::run::map_indexed;
-use crate::view::{LineClass, VisibleLines};
+use crate::view::{Crossing, LineClass, VisibleLines};
 use glam::DVec2;
 use std::borrow::Cow;
 
@@ -26,6 +28,17 @@ pub struct Drawing {
     pub layers: Vec<Layer>,
 }
 
+/// What all strokes of a layer have in common, as far as layers tell it apart.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct LayerTags {
+    /// 0 if they are visible; else the level of hidden lines.
+    pub level: u32,
+    /// Their class.
+    pub class: Option<LineClass>,
+    /// The name of their object.
+    pub object: Option<String>,
+}
+
 /// Strokes of one pen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
@@ -37,6 +50,8 @@ pub struct Layer {
     pub style: LineStyle,
     /// The strokes.
     pub strokes: Strokes,
+    /// What they are.
+    pub tags: LayerTags,
 }
 
 /// How a line looks. Dashes are not part of it: they are strokes.
@@ -66,21 +81,51 @@ impl Drawing {
     /// If widths, margins, scale or window do not go with the page or the
     /// view, or coordinates are not finite.
     pub fn new(lines: &VisibleLines, options: &DrawingOptions) -> Result<Self, DrawingError> {
-        for width in [options.visible_width, options.hidden_width] {
-            if !PEN_WIDTHS.contains(&width) {
-                return Err(DrawingError::PenWidth(width));
-            }
+        Self::styled(lines, &[], options, &Styles::default())
+    }
+
+    /// As [`Drawing::new`], with rules for how lines look, and with the
+    /// crossings of the lines, without which there are no halos.
+    ///
+    /// # Errors
+    ///
+    /// As [`Drawing::new`].
+    pub fn styled(
+        lines: &VisibleLines,
+        crossings: &[Crossing],
+        options: &DrawingOptions,
+        styles: &Styles,
+    ) -> Result<Self, DrawingError> {
+        let weights = options.weight.map(|weight| Weights::new(lines, &weight));
+        let layering = Layering { options, styles, weights: weights.as_ref() };
+        let mut drawn = crop(lines, options)?;
+        let mut plans = layering.plan(&drawn);
+        let stepped = weights.iter().flat_map(|weights| weights.widths.iter().copied());
+        let widths = plans.iter().map(|plan| plan.look.width).chain(stepped);
+        let asked = [options.visible_width, options.hidden_width];
+        if let Some(width) = asked.into_iter().chain(widths).find(|w| !PEN_WIDTHS.contains(w)) {
+            return Err(DrawingError::PenWidth(width));
         }
-        let lines = &*crop(lines, options)?;
-        let plans = plan(lines, options);
-        let placement = Placement::new(lines, &plans, options)?;
+        let placement = Placement::new(&drawn, &plans, options)?;
+        let radius = 0.5 * options.halo.millimetres() / placement.scale;
+        if 0.0 < radius && !crossings.is_empty() {
+            let seen: Vec<bool> = lines.pieces.iter().map(|piece| layering.draws(piece)).collect();
+            let interrupted = interrupt(lines, crossings, &seen, radius);
+            drawn = Cow::Owned(crop(&interrupted, options)?.into_owned());
+            plans = layering.plan(&drawn);
+        }
+        if let Some(weights) = &weights {
+            drawn = Cow::Owned(weights.split(&drawn));
+            plans = layering.plan(&drawn);
+        }
+        let lines = &*drawn;
         let solid = map_indexed(plans.len(), |i| join(lines, &plans[i], &placement, options));
         let solid = match (options.fit.millimetres(), options.simplify.millimetres()) {
             (0.0, 0.0) => solid,
             (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
-        let finished = plans.iter().zip(solid).map(|(plan, solid)| finish(plan, solid, options));
+        let finished = plans.iter().zip(solid).map(|(plan, solid)| finish(plan, solid));
         let layers = finished.filter(|layer| !layer.strokes.is_empty()).collect();
         Ok(Drawing { size: placement.size, scale: placement.scale, layers })
     }
@@ -106,9 +151,11 @@ fn join(
     placement: &Placement,
     options: &DrawingOptions,
 ) -> Strokes {
+    // What is smoothed stays where it meets others.
+    let smoothed = 0.0 < options.fit.millimetres().max(options.simplify.millimetres());
     let joined = |pieces: &[u32]| {
         let (segments, runs) = segments(lines, pieces, placement);
-        chain(&segments, &runs)
+        chain(&segments, &runs, smoothed)
     };
     let mut strokes = match options.join {
         Join::All => joined(&plan.pieces),
@@ -127,14 +174,15 @@ fn join(
 }
 
 /// A layer of joined strokes in its style.
-fn finish(plan: &LayerPlan, solid: Strokes, options: &DrawingOptions) -> Layer {
-    let strokes = match (plan.hidden, options.hidden) {
-        (true, Hidden::Dashed) => dashed(&solid.flat(FLATNESS), options.hidden_width),
-        _ => solid,
+fn finish(plan: &LayerPlan, solid: Strokes) -> Layer {
+    let look = &plan.look;
+    let strokes = match look.dash {
+        Dash::Continuous => solid,
+        dash => dashed(&solid.flat(FLATNESS), dash, look.width),
     };
-    let width = if plan.hidden { options.hidden_width } else { options.visible_width };
-    let style = LineStyle { width, color: Color([0; 3]) };
-    Layer { number: plan.number, label: plan.label.clone(), style, strokes }
+    let style = LineStyle { width: look.width, color: look.color };
+    let (label, tags) = (plan.label.clone(), plan.tags.clone());
+    Layer { number: plan.number, label, style, strokes, tags }
 }
 
 #[cfg(test)]

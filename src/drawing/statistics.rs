@@ -62,7 +62,7 @@ impl PenStatistics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Layer, LineStyle, Strokes};
+    use crate::drawing::{Layer, LayerTags, LineStyle, Strokes};
     use crate::model::Color;
     use glam::DVec2;
 
@@ -72,7 +72,13 @@ mod tests {
         strokes.push([DVec2::ZERO, DVec2::new(30.0, 40.0)]);
         strokes.push([DVec2::new(30.0, 10.0), DVec2::new(30.0, 0.0)]);
         let style = LineStyle { width: 0.5, color: Color([0; 3]) };
-        let layer = Layer { number: 1, label: "1-visible".into(), style, strokes };
+        let layer = Layer {
+            number: 1,
+            label: "1-visible".into(),
+            style,
+            strokes,
+            tags: LayerTags::default(),
+        };
         let drawing = Drawing { size: DVec2::splat(100.0), scale: 1.0, layers: vec![layer] };
         let sum = PenStatistics::of(&drawing);
         assert_eq!(sum, PenStatistics { strokes: 2, pens: 1, drawn: 60.0, pen_up: 30.0 });

@@ -135,6 +135,14 @@ pub enum ExportError {
         /// What is wrong, what was expected.
         message: &'static str,
     },
+    /// A crossing of lines that are not there.
+    #[error("crossing {index} of the drawing: expected two different lines of its {lines}")]
+    Crossing {
+        /// Index into `crossings`, counted from 0.
+        index: usize,
+        /// How many lines there are.
+        lines: usize,
+    },
     /// A JSON drawing of another format.
     #[error("the format is `{0}`; expected `umriss-drawing/1`")]
     DrawingFormat(String),

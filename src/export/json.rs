@@ -9,16 +9,18 @@
 //! otherwise: `objects`, all names in the order of the scene; `run`, which
 //! pieces are one straight line; `unit`, that of the models, and `hidden`,
 //! whether hidden lines were looked for, so that a page made of the file is
-//! the page made of the models; for oblique views `shear`, and for
+//! the page made of the models; `crossings`, if halos were asked for: pairs of
+//! lines by their number, the first passing in front of the second; for oblique views `shear`, and for
 //! perspective ones `half_height`, the tangent of half the field of view.
 
 use super::ExportError;
 use crate::model::Unit;
 use crate::run::{Counters, map_chunks};
-use crate::view::{Frame, LinePiece, LineSource, Projection, VisibleLines};
+use crate::view::{Crossing, Frame, LinePiece, LineSource, Projection, VisibleLines};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The value of the key `format`.
 pub(super) const FORMAT: &str = "umriss-drawing/1";
@@ -33,13 +35,15 @@ const CHUNK: usize = 4096;
 
 /// What a page needs to know of a drawing beside its lines; nothing is what
 /// drawings by another hand say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct DrawingNotes {
     /// The unit of the models.
     pub unit: Option<Unit>,
     /// Whether hidden lines were asked for. Where they were not, there are
     /// none, whatever is hidden.
     pub hidden: Option<bool>,
+    /// Where lines pass in front of others, if that was asked for.
+    pub crossings: Option<Vec<Crossing>>,
 }
 
 /// The lines as a JSON drawing, in UTF-8.
@@ -79,16 +83,34 @@ pub fn to_json_with_notes(
     for chunk in map_chunks(lines.pieces.len(), CHUNK, |range| write_lines(lines, range)) {
         text.extend_from_slice(&chunk?);
     }
+    if let Some(crossings) = &notes.crossings {
+        text.extend_from_slice(b"],\n\"crossings\":[");
+        let pairs = |range: Range<usize>| write_crossings(&crossings[range.clone()], range.start);
+        for chunk in map_chunks(crossings.len(), CHUNK, pairs) {
+            text.extend_from_slice(chunk.as_bytes());
+        }
+    }
     text.extend_from_slice(b"],\n\"counters\":");
     push(&mut text, &counters(&lines.counters))?;
     text.extend_from_slice(b"}\n");
     Ok(text)
 }
 
-fn write_lines(
-    lines: &VisibleLines,
-    range: std::ops::Range<usize>,
-) -> Result<Vec<u8>, ExportError> {
+/// `[near,far]` by the numbers of the lines, eight in a line of text.
+fn write_crossings(crossings: &[Crossing], first: usize) -> String {
+    let mut text = String::new();
+    for (index, crossing) in crossings.iter().enumerate() {
+        let before = match first + index {
+            0 => "\n",
+            place if place % 8 == 0 => ",\n",
+            _ => ",",
+        };
+        text += &format!("{before}[{},{}]", crossing.near, crossing.far);
+    }
+    text
+}
+
+fn write_lines(lines: &VisibleLines, range: Range<usize>) -> Result<Vec<u8>, ExportError> {
     let mut text = Vec::new();
     for index in range {
         let piece = &lines.pieces[index];

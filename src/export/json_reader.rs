@@ -10,7 +10,7 @@ use super::ExportError;
 use super::json::{DrawingNotes, FORMAT, FrameText, LineText, ORTHOGRAPHIC, PERSPECTIVE};
 use crate::model::Unit;
 use crate::run::Counters;
-use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use crate::view::{Crossing, Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
@@ -41,7 +41,12 @@ pub fn read_drawing_with_notes(bytes: &[u8]) -> Result<(VisibleLines, DrawingNot
     }
     let text: DrawingText = serde_json::from_slice(bytes)?;
     let frame = read_frame(&text.frame)?;
-    let notes = DrawingNotes { unit: read_unit(text.unit)?, hidden: text.hidden };
+    let crossings = text.crossings.map(|pairs| read_crossings(&pairs, text.lines.len()));
+    let notes = DrawingNotes {
+        unit: read_unit(text.unit)?,
+        hidden: text.hidden,
+        crossings: crossings.transpose()?,
+    };
     let mut objects = Objects::new(text.objects);
     let has_runs = text.lines.iter().all(|line| line.run.is_some());
     let mut pieces = Vec::with_capacity(text.lines.len());
@@ -73,6 +78,7 @@ struct DrawingText<'a> {
     objects: Vec<String>,
     #[serde(borrow)]
     lines: Vec<LineText<'a>>,
+    crossings: Option<Vec<[u32; 2]>>,
     #[serde(default)]
     counters: BTreeMap<String, u64>,
 }
@@ -101,6 +107,14 @@ impl Objects {
         self.known.insert(name.to_owned(), index);
         index
     }
+}
+
+fn read_crossings(pairs: &[[u32; 2]], lines: usize) -> Result<Vec<Crossing>, ExportError> {
+    let read = |(index, &[near, far]): (usize, &[u32; 2])| {
+        let known = (near as usize) < lines && (far as usize) < lines && near != far;
+        known.then_some(Crossing { near, far }).ok_or(ExportError::Crossing { index, lines })
+    };
+    pairs.iter().enumerate().map(read).collect()
 }
 
 fn read_unit(name: Option<&str>) -> Result<Option<Unit>, ExportError> {

@@ -56,4 +56,4 @@ pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
 #[cfg(any(feature = "json", feature = "svg"))]
 pub use shapes::{ShapeFile, ShapeFormat, ShapePart};
 #[cfg(feature = "svg")]
-pub use svg::{SvgOptions, to_svg};
+pub use svg::{SvgOptions, SvgProfile, to_svg};

@@ -9,12 +9,17 @@
 //!   many subpaths, which is the quickest to read and the shortest to write.
 //! - Dashes have been strokes since `drawing`; there is no dash pattern.
 //!
+//! That is the profile for plotters. The one for the web adds to each group
+//! what its lines are: classes (`visible` or `hidden`, `behind-2`, and the class
+//! of line), the name of the object, and an `id` made of both, for style
+//! sheets and scripts.
+//!
 //! The document is built with the crate `svg`; only the path data, nearly all
 //! of the text, is written by hand, in chunks on all cores.
 
 use super::ExportError;
 use super::decimal::DecimalGrid;
-use crate::drawing::{Drawing, Layer, is_closed};
+use crate::drawing::{Drawing, Layer, LayerTags, is_closed};
 use crate::run::map_chunks;
 use ::svg::Document;
 use ::svg::node::Text;
@@ -31,11 +36,34 @@ pub struct SvgOptions {
     pub precision: u8,
     /// The command that made the drawing, noted in the metadata.
     pub command: Option<String>,
+    /// Who it is for.
+    pub profile: SvgProfile,
+}
+
+/// Who an SVG is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SvgProfile {
+    /// Plotters and their programs: style on groups, nothing else.
+    #[default]
+    Plot,
+    /// Browsers: groups also have classes and ids.
+    Web,
+}
+
+impl SvgProfile {
+    /// The profile called `plot` or `web`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "plot" => Some(SvgProfile::Plot),
+            "web" => Some(SvgProfile::Web),
+            _ => None,
+        }
+    }
 }
 
 impl Default for SvgOptions {
     fn default() -> Self {
-        SvgOptions { precision: 3, command: None }
+        SvgOptions { precision: 3, command: None, profile: SvgProfile::Plot }
     }
 }
 
@@ -53,8 +81,13 @@ pub fn to_svg(drawing: &Drawing, options: &SvgOptions) -> Result<String, ExportE
         .set("viewBox", format!("0 0 {width} {height}"))
         .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
         .add(metadata(options));
+    let mut ids = Vec::new();
     for layer in &drawing.layers {
-        document = document.add(group(layer, grid));
+        let group = match options.profile {
+            SvgProfile::Plot => group(layer, grid),
+            SvgProfile::Web => tagged(group(layer, grid), layer, &mut ids),
+        };
+        document = document.add(group);
     }
     let mut text = document.to_string();
     text.push('\n');
@@ -73,6 +106,33 @@ fn group(layer: &Layer, grid: DecimalGrid) -> Group {
         .set("stroke-linecap", "round")
         .set("stroke-linejoin", "round")
         .add(Path::new().set("d", path_data(layer, grid)))
+}
+
+/// The group with what its lines are.
+fn tagged(group: Group, layer: &Layer, ids: &mut Vec<String>) -> Group {
+    let LayerTags { level, class, object } = &layer.tags;
+    let mut classes = vec![if *level == 0 { "visible" } else { "hidden" }.to_owned()];
+    classes.extend((1 < *level).then(|| format!("behind-{level}")));
+    classes.extend(class.map(|class| class.name().to_owned()));
+    let object = object.as_deref().map(|name| if name.is_empty() { "object" } else { name });
+    let mut words: Vec<String> = object.map(word).into_iter().collect();
+    words.extend(class.map(|class| class.name().to_owned()));
+    words.extend(classes.iter().take(if 1 < *level { 2 } else { 1 }).cloned());
+    let mut id = words.join(".");
+    if ids.contains(&id) {
+        id += &format!(".{}", layer.number);
+    }
+    ids.push(id.clone());
+    let group = group.set("id", id).set("class", classes.join(" "));
+    match object {
+        Some(name) => group.set("data-object", allowed(name)),
+        None => group,
+    }
+}
+
+/// A name with nothing in it that an id may not have.
+fn word(name: &str) -> String {
+    name.replace(|c: char| !(c.is_alphanumeric() || c == '-' || c == '_'), "_")
 }
 
 /// All strokes of a layer as subpaths.

@@ -2,13 +2,17 @@
 //! asked ([`LineQuestion`]) and what it answers ([`ExactLines`], rounded
 //! and reduced to [`VisibleLines`]).
 
+mod crossing;
 mod exact_lines;
 mod prepare;
 mod question;
 mod visible_lines;
+mod wishes;
 
 pub use crate::model::{Frame, LineClass, Projection};
+pub use crossing::Crossing;
 pub use exact_lines::{ExactLines, ExactPiece};
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};
 pub use visible_lines::{LinePiece, LineSource, VisibleLines};
+pub use wishes::ObjectWish;

@@ -1,7 +1,8 @@
 //! From a mesh and a camera to a question: everything that all line methods
 //! need and none should compute twice.
 
-use super::{Contacts, LineQuestion};
+use super::wishes;
+use super::{Contacts, LineQuestion, ObjectWish};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
 use crate::model::{
@@ -40,6 +41,21 @@ impl<'m> PreparedView<'m> {
         options: &FeatureOptions,
         run: &Run,
     ) -> Result<Self, Cancelled> {
+        let wish = ObjectWish { features: *options, see_through: false };
+        Self::with_wishes::<P>(mesh, view, &vec![wish; mesh.objects().len()], run)
+    }
+
+    /// As [`PreparedView::new`], with a wish for each object of the mesh.
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled.
+    pub fn with_wishes<P: Policy>(
+        mesh: &'m Mesh,
+        view: &View,
+        wishes: &[ObjectWish],
+        run: &Run,
+    ) -> Result<Self, Cancelled> {
         let triangles = mesh.triangles().len() as u64;
         let (points, coordinates) = run.stage("coordinates", triangles, || {
             (
@@ -49,8 +65,8 @@ impl<'m> PreparedView<'m> {
         });
         run.check()?;
         let (facing, mut features) = run.stage("features", triangles, || {
-            let facing = facing::<P>(mesh, &points, run);
-            let features = Features::find::<P>(mesh, &points, &facing, options, run);
+            let mut facing = facing::<P>(mesh, &points, run);
+            let features = wishes::find::<P>(mesh, &points, &mut facing, wishes, run);
             (facing, features)
         });
         run.check()?;
@@ -60,7 +76,7 @@ impl<'m> PreparedView<'m> {
         // With many lines, finding all piercings at once is cheaper than
         // asking for each line.
         let many = features.lines.len() > mesh.edges().len() / MANY_LINES;
-        let wanted = options.wants(LineClass::Intersection);
+        let wanted = wishes.iter().any(|wish| wish.features.wants(LineClass::Intersection));
         let intersections = (wanted || many).then(|| {
             let fans = run.stage("fans", triangles, || {
                 Fans::find(mesh, &coordinates, &facing, &features.effective)

@@ -10,6 +10,6 @@ mod roberts;
 mod visible_lines;
 
 pub use appel::{AppelOptions, Fault, appel};
-pub use reduce::reduce;
+pub use reduce::{reduce, reduce_with_crossings};
 pub use roberts::roberts;
 pub use visible_lines::visible_lines;

@@ -3,7 +3,8 @@
 //! Each file takes one promise of the design: the product equals the judge
 //! (`appel`), proposals lose nothing (`crossings`), classes of lines
 //! (`features`), interpenetration (`intersections`), one line where several
-//! coincide (`reduction`), what must not matter (`invariances`, `threads`),
+//! coincide (`reduction`), what passes in front (`passing`), what hides
+//! nothing (`see_through`), what must not matter (`invariances`, `threads`),
 //! and scenes that break floating-point programs, looked at once and
 //! compared whole ever since (`degenerate`).
 //!
@@ -17,7 +18,9 @@ mod degenerate;
 mod features;
 mod intersections;
 mod invariances;
+mod passing;
 mod reduction;
 mod scenes;
+mod see_through;
 #[cfg(all(feature = "json", feature = "svg", feature = "parallel"))]
 mod threads;

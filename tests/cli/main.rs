@@ -8,6 +8,7 @@ mod pens;
 mod refusals;
 mod restyling;
 mod strokes;
+mod styles;
 #[path = "../fill/tiny_font.rs"]
 mod tiny_font;
 

@@ -27,8 +27,10 @@ fn draw(layer_by: LayerBy) -> Drawing {
 
 #[test]
 fn svg_by_visibility() {
-    let options =
-        SvgOptions { command: Some("umriss draw a&b.obj -o <c>.svg".into()), precision: 3 };
+    let options = SvgOptions {
+        command: Some("umriss draw a&b.obj -o <c>.svg".into()),
+        ..SvgOptions::default()
+    };
     compare("visibility.svg", to_svg(&draw(LayerBy::Visibility), &options).unwrap().as_bytes());
 }
 

@@ -4,7 +4,7 @@ use crate::fixture::cube;
 use crate::strict_plotter::{self, Limits, Plot};
 use glam::DVec2;
 use proptest::prelude::*;
-use umriss::drawing::{Drawing, DrawingOptions, Hidden, Layer, LineStyle, Strokes};
+use umriss::drawing::{Drawing, DrawingOptions, Hidden, Layer, LayerTags, LineStyle, Strokes};
 use umriss::export::{ExportError, PLOTTER_UNIT, to_hpgl};
 use umriss::model::Color;
 
@@ -17,7 +17,13 @@ fn drawing(size: DVec2, strokes: &[Vec<DVec2>], number: u32) -> Drawing {
     let mut all = Strokes::default();
     strokes.iter().for_each(|stroke| all.push(stroke.iter().copied()));
     let style = LineStyle { width: 0.5, color: Color([0; 3]) };
-    let layer = Layer { number, label: format!("{number}-test"), style, strokes: all };
+    let layer = Layer {
+        number,
+        label: format!("{number}-test"),
+        style,
+        strokes: all,
+        tags: LayerTags::default(),
+    };
     Drawing { size, scale: 1.0, layers: vec![layer] }
 }
 

@@ -10,6 +10,9 @@ mod golden;
 mod hpgl;
 #[cfg(feature = "json")]
 mod json;
+mod promises;
 mod strict_plotter;
 #[cfg(feature = "png")]
 mod svg;
+#[cfg(feature = "svg")]
+mod through_vpype;

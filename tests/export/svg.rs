@@ -50,7 +50,7 @@ fn names_that_are_no_xml_are_made_so() {
 #[test]
 fn precision_is_a_number_of_decimals() {
     let drawing = dashed(LayerBy::Visibility);
-    let write = |precision| to_svg(&drawing, &SvgOptions { precision, command: None });
+    let write = |precision| to_svg(&drawing, &SvgOptions { precision, ..SvgOptions::default() });
     assert!(matches!(write(10), Err(ExportError::Precision(10))));
     assert!(write(9).unwrap().len() > write(1).unwrap().len());
     let whole = write(0).unwrap();

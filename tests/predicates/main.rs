@@ -179,6 +179,12 @@ proptest! {
             let skew = sign(&reference::bracket([&start, &end, &row_a, &row_b]));
             prop_assert_eq!(bench.exact.skew(carrier, [a, b]), skew);
             prop_assert_eq!(bench.thorough.skew(carrier, [a, b]), skew);
+            let other = bench.carrier();
+            let [from, to] = bench.truth.ends(other);
+            let skew = sign(&reference::bracket([&start, &end, &from, &to]));
+            prop_assert_eq!(bench.exact.skew_of_carriers(carrier, other), skew);
+            prop_assert_eq!(bench.exact.skew_of_carriers(other, carrier), skew);
+            prop_assert_eq!(bench.thorough.skew_of_carriers(carrier, other), skew);
             Ok(())
         })?;
     }

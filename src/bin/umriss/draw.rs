@@ -5,21 +5,23 @@ use crate::failure::Failure;
 use crate::line_flags::{LineFlags, Method};
 use crate::model_flags::{ModelFlags, UnitName};
 use crate::models::{Subject, read_subject};
+use crate::object_flags::ObjectFlags;
 use crate::outputs::{Computed, OutputFlags};
 use crate::page_flags::PageFlags;
 use crate::pen_flags::PenFlags;
 use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
 use crate::stroke_flags::StrokeFlags;
+use crate::style_flags::StyleFlags;
 use clap::Args;
 use std::path::PathBuf;
-use umriss::drawing::Drawing;
+use umriss::drawing::{Drawing, DrawingOptions, Hidden, Preset, Styles};
 use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
-use umriss::model::Scene;
+use umriss::model::{Scene, Soup};
 use umriss::run::Run;
-use umriss::view::{PreparedView, VisibleLines};
-use umriss::visibility::reduce;
+use umriss::view::{Crossing, PreparedView, VisibleLines};
+use umriss::visibility::{reduce, reduce_with_crossings};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -30,12 +32,17 @@ Examples:
   umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
+  umriss draw part.obj -o part.svg --halo 0.8mm --weight 0.7..0.18mm
   umriss draw part.json -o detail.svg --frame 10,-5,30,15 --scale 5:1 --paper tight
   cat part.off | umriss draw - -o - --format svg > part.svg";
 
 const NO_HIDDEN_LINES: &str = "\
 the drawing was computed without its hidden lines: expected --hidden none, or a drawing that was \
 computed with --hidden";
+
+const NO_CROSSINGS: &str = "\
+the drawing was computed without its crossings: expected no --halo, or a drawing that was computed \
+with --halo";
 
 /// Draw models without their hidden lines.
 ///
@@ -53,6 +60,8 @@ pub(crate) struct Draw {
     #[command(flatten)]
     model: ModelFlags,
     #[command(flatten)]
+    objects: ObjectFlags,
+    #[command(flatten)]
     camera: CameraFlags,
     #[command(flatten)]
     lines: LineFlags,
@@ -61,6 +70,8 @@ pub(crate) struct Draw {
     method: Option<Method>,
     #[command(flatten)]
     page: PageFlags,
+    #[command(flatten)]
+    style: StyleFlags,
     #[command(flatten)]
     strokes: StrokeFlags,
     #[command(flatten)]
@@ -78,15 +89,19 @@ impl Draw {
         self.method.map_or(Ok(()), Method::check)?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
-        outputs.write(&computed, &plotter, self.page.precision)
+        outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 
     fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
-        let hidden = self.page.hidden_wanted();
-        let (lines, notes) = match read_subject(&self.models, &self.model, &self.session, run)? {
+        let hidden = self.options(&DrawingNotes::default()).hidden != Hidden::None;
+        let styles = self.style.styles()?;
+        let select = |soups: &mut Vec<Soup>| self.objects.select(soups, &styles);
+        let subject = read_subject(&self.models, &self.model, &select, &self.session, run)?;
+        let (lines, notes) = match subject {
             Subject::Scene(scene) => {
-                let notes = DrawingNotes { unit: Some(scene.unit), hidden: Some(hidden) };
-                (self.find_lines(&scene, run)?, notes)
+                let (lines, crossings) = self.find_lines(&scene, hidden, &styles, run)?;
+                let (unit, hidden) = (Some(scene.unit), Some(hidden));
+                (lines, DrawingNotes { unit, hidden, crossings })
             }
             Subject::Drawing(drawing) => {
                 let (lines, mut notes) = *drawing;
@@ -94,24 +109,46 @@ impl Draw {
                 if hidden && notes.hidden == Some(false) {
                     return Err(Failure::usage(NO_HIDDEN_LINES));
                 }
+                if self.style.crossings_wanted() && notes.crossings.is_none() {
+                    return Err(Failure::usage(NO_CROSSINGS));
+                }
                 notes.unit = self.model.unit.map(UnitName::unit).or(notes.unit);
                 (lines, notes)
             }
         };
         let pieces = lines.pieces.len() as u64;
-        let options = self.strokes.apply(self.page.options(notes.unit.unwrap_or_default()));
-        let mut drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
-        self.pen.apply(&mut drawing, plotter, &self.session, run);
+        let options = self.options(&notes);
+        let crossings = notes.crossings.as_deref().unwrap_or_default();
+        let page = || Drawing::styled(&lines, crossings, &options, &styles);
+        let mut drawing = run.stage("page", pieces, page)?;
+        let effort = self.style.preset.map(Preset::effort).unwrap_or_default();
+        self.pen.apply(&mut drawing, effort, plotter, &self.session, run);
         Ok(Computed { lines, notes, drawing })
     }
 
-    fn find_lines(&self, scene: &Scene, run: &Run<'_>) -> Result<VisibleLines, Failure> {
+    /// What is asked of the page.
+    fn options(&self, notes: &DrawingNotes) -> DrawingOptions {
+        let page = self.page.options(self.style.base(), notes.unit.unwrap_or_default());
+        self.style.apply(self.strokes.apply(page))
+    }
+
+    fn find_lines(
+        &self,
+        scene: &Scene,
+        hidden: bool,
+        styles: &Styles,
+        run: &Run<'_>,
+    ) -> Result<(VisibleLines, Option<Vec<Crossing>>), Failure> {
         let view = self.camera.view(&scene.mesh)?;
-        let options = self.lines.options();
-        let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
-        let question = prepared.question(self.page.hidden_wanted());
+        let wishes = self.objects.wishes(&scene.mesh, &self.lines.options(), styles);
+        let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
+        let question = prepared.question(hidden);
         let answer = self.method.unwrap_or(Method::Appel).answer(&question, run)?;
-        Ok(reduce::<Exact>(&question, &answer, run)?)
+        if !self.style.crossings_wanted() {
+            return Ok((reduce::<Exact>(&question, &answer, run)?, None));
+        }
+        let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, run)?;
+        Ok((lines, Some(crossings)))
     }
 
     /// What a computed drawing has settled cannot be asked for again.
@@ -120,6 +157,7 @@ impl Draw {
             ("the camera", self.camera.any()),
             ("--crease and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
+            ("objects", self.objects.any()),
             ("--weld", self.model.weld.is_some()),
             ("--up-axis", self.model.up_axis.is_some()),
         ];

@@ -1,8 +1,8 @@
 //! The program `umriss`: reads flags, runs the library, writes files.
 //!
 //! One file per command; what commands share stands beside them: flags
-//! ([`model_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
-//! [`pen_flags`], [`plotter_flags`], [`stroke_flags`]), reading
+//! ([`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
+//! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`]), reading
 //! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
 //! Only the public interface of the library is used, and no geometry is done
 //! here.
@@ -23,6 +23,7 @@ mod info;
 mod line_flags;
 mod model_flags;
 mod models;
+mod object_flags;
 mod outputs;
 mod page_flags;
 mod pen_flags;
@@ -35,6 +36,7 @@ mod raster;
 mod sample_grid;
 mod session;
 mod stroke_flags;
+mod style_flags;
 mod verify;
 
 use clap::{Parser, Subcommand};

@@ -8,7 +8,7 @@ use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
 use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
 use umriss::model::import::{Imported, read_bytes, read_file};
-use umriss::model::{Scene, SceneOptions, Unit};
+use umriss::model::{Scene, SceneOptions, Soup, Unit};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
 
@@ -31,6 +31,7 @@ pub(crate) enum Subject {
 pub(crate) fn read_subject(
     files: &[PathBuf],
     flags: &ModelFlags,
+    select: Select<'_>,
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Subject, Failure> {
@@ -41,7 +42,7 @@ pub(crate) fn read_subject(
     {
         return Ok(Subject::Drawing(Box::new(drawing)));
     }
-    scene_of(&sources, flags, session, run).map(|scene| Subject::Scene(Box::new(scene)))
+    scene_of(&sources, flags, select, session, run).map(|scene| Subject::Scene(Box::new(scene)))
 }
 
 /// Reads models into one scene.
@@ -51,8 +52,11 @@ pub(crate) fn read_scene(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    scene_of(&sources(files)?, flags, session, run)
+    scene_of(&sources(files)?, flags, &|_| Ok(()), session, run)
 }
+
+/// Leaves out objects that are not wanted.
+pub(crate) type Select<'a> = &'a dyn Fn(&mut Vec<Soup>) -> Result<(), Failure>;
 
 /// A file of the command line, or standard input.
 struct Source<'a> {
@@ -133,6 +137,7 @@ fn is_drawing(bytes: &[u8]) -> bool {
 fn scene_of(
     sources: &[Source<'_>],
     flags: &ModelFlags,
+    select: Select<'_>,
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
@@ -150,6 +155,7 @@ fn scene_of(
         }
         Ok::<(), Failure>(())
     })?;
+    select(&mut soups)?;
     let options = SceneOptions { weld: flags.weld, unit: unit.unwrap_or_default() };
     let made = run.stage("mesh", soups.len() as u64, || Scene::new(soups, &options));
     let scene = made.map_err(|error| match sources {
@@ -194,11 +200,7 @@ fn common_unit(
 }
 
 /// The objects of a file, z up; those without a name are called like it.
-fn upright_soups(
-    imported: Imported,
-    flags: &ModelFlags,
-    source: &Source<'_>,
-) -> Vec<umriss::model::Soup> {
+fn upright_soups(imported: Imported, flags: &ModelFlags, source: &Source<'_>) -> Vec<Soup> {
     let up = flags.up_axis.map_or(imported.placement.up, AxisName::axis);
     let stem = source.path.and_then(Path::file_stem);
     let stem = stem.map_or("stdin".to_owned(), |stem| stem.to_string_lossy().into_owned());

@@ -84,11 +84,11 @@ impl Outputs<'_> {
         &self,
         computed: &Computed,
         plotter: &Plotter,
-        precision: u8,
+        svg: &SvgOptions,
     ) -> Result<(), Failure> {
         let mut rendered = Vec::with_capacity(self.outputs.len());
         for output in &self.outputs {
-            rendered.push(render(output.format, computed, plotter, precision)?);
+            rendered.push(render(output.format, computed, plotter, svg)?);
         }
         for (output, bytes) in self.outputs.iter().zip(&rendered) {
             match output.path {
@@ -104,10 +104,10 @@ fn render(
     format: OutputFormat,
     computed: &Computed,
     plotter: &Plotter,
-    precision: u8,
+    options: &SvgOptions,
 ) -> Result<Vec<u8>, Failure> {
     let Computed { lines, notes, drawing } = computed;
-    let svg = || to_svg(drawing, &SvgOptions { precision, command: None });
+    let svg = || to_svg(drawing, options);
     match format {
         OutputFormat::Svg => Ok(svg()?.into_bytes()),
         OutputFormat::Hpgl => Ok(plotter.hpgl(drawing)?.into_bytes()),

@@ -33,7 +33,8 @@ pub(crate) struct PageFlags {
     #[arg(long, value_name = "U0,V0,U1,V1", allow_hyphen_values = true,
           value_parser = parse::<Window>)]
     frame: Option<Window>,
-    /// What has a layer of its own: visibility, class or object [default: visibility]
+    /// What has a layer of its own: visibility, class, object or part (class within object)
+    /// [default: visibility]
     #[arg(long, value_name = "BY", value_parser = parse::<LayerBy>)]
     layer_by: Option<LayerBy>,
     /// Decimals of a millimetre in SVG
@@ -43,21 +44,15 @@ pub(crate) struct PageFlags {
 }
 
 impl PageFlags {
-    /// Whether hidden lines are drawn.
-    pub(crate) fn hidden_wanted(&self) -> bool {
-        !matches!(self.hidden, None | Some(Hidden::None))
-    }
-
-    /// What the library is asked for.
-    pub(crate) fn options(&self, unit: Unit) -> DrawingOptions {
-        let default = DrawingOptions::default();
+    /// `default` with these wishes in it.
+    pub(crate) fn options(&self, default: DrawingOptions, unit: Unit) -> DrawingOptions {
         DrawingOptions {
             paper: self.paper.unwrap_or(default.paper),
-            landscape: self.landscape,
+            landscape: self.landscape || default.landscape,
             margin: self.margin.unwrap_or(default.margin),
             scale: self.scale.unwrap_or(default.scale),
             unit,
-            window: self.frame,
+            window: self.frame.or(default.window),
             layer_by: self.layer_by.unwrap_or(default.layer_by),
             hidden: self.hidden.unwrap_or(default.hidden),
             ..default

@@ -22,11 +22,12 @@ impl PenFlags {
     pub(crate) fn apply(
         &self,
         drawing: &mut Drawing,
+        default: Effort,
         plotter: &Plotter,
         session: &RunFlags,
         run: &Run<'_>,
     ) {
-        let effort = self.order.unwrap_or_default();
+        let effort = self.order.unwrap_or(default);
         if let Effort::Time(_) = effort {
             session.note("--order with a time depends on the machine: another run may differ");
         }

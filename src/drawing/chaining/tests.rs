@@ -10,7 +10,7 @@ fn at(x: i32, y: i32) -> DVec2 {
 }
 
 fn strokes(segments: &[[DVec2; 2]]) -> Vec<Vec<DVec2>> {
-    chain(segments, &[]).iter().map(<[DVec2]>::to_vec).collect()
+    chain(segments, &[], true).iter().map(<[DVec2]>::to_vec).collect()
 }
 
 /// A segment without direction, as bits.
@@ -28,7 +28,7 @@ fn shape(stroke: &[DVec2]) -> Vec<[[u64; 2]; 2]> {
 }
 
 fn shapes(segments: &[[DVec2; 2]]) -> Vec<Vec<[[u64; 2]; 2]>> {
-    let mut shapes: Vec<_> = chain(segments, &[]).iter().map(shape).collect();
+    let mut shapes: Vec<_> = chain(segments, &[], true).iter().map(shape).collect();
     shapes.sort_unstable();
     shapes
 }
@@ -55,12 +55,14 @@ fn a_joint_on_a_straight_line_is_no_point() {
     assert_eq!(strokes(&segments), [vec![at(0, 0), at(9, 3), at(9, 9)]]);
     // Rounded points of one exact line, and the same without knowing it.
     let rounded = [[at(0, 0), DVec2::new(0.1, 0.3)], [DVec2::new(0.1, 0.3), at(1, 3)]];
-    assert_eq!(chain(&rounded, &[7, 7]).get(0), [at(0, 0), at(1, 3)]);
-    assert_eq!(chain(&rounded, &[7, 8]).get(0).len(), 3);
-    // Back on itself is not straight on, and where three meet nothing is left out.
+    assert_eq!(chain(&rounded, &[7, 7], true).get(0), [at(0, 0), at(1, 3)]);
+    assert_eq!(chain(&rounded, &[7, 8], true).get(0).len(), 3);
+    // Back on itself is not straight on, and where three meet the point stays.
     assert_eq!(strokes(&[[at(0, 0), at(4, 0)], [at(4, 0), at(1, 0)]])[0].len(), 3);
     let crossed = [[at(0, 0), at(1, 0)], [at(1, 0), at(2, 0)], [at(1, 0), at(1, 5)]];
-    assert_eq!(chain(&crossed, &[]).point_count(), 5);
+    assert_eq!(chain(&crossed, &[], true).point_count(), 5);
+    // Unless nobody needs to know where they meet.
+    assert_eq!(chain(&crossed, &[], false).point_count(), 4);
     let corners = [at(1, 0), at(2, 0), at(2, 2), at(0, 2), at(0, 0)];
     let ring: Vec<_> = (0..5).map(|i| [corners[i], corners[(i + 1) % 5]]).collect();
     assert_eq!(strokes(&ring), [vec![at(2, 0), at(2, 2), at(0, 2), at(0, 0), at(2, 0)]]);
@@ -87,10 +89,32 @@ fn a_branch_ends_where_two_others_go_straight_on() {
 fn a_great_fan_is_paired_across_its_tip() {
     let rim = |i: usize| DVec2::from_angle(i as f64 * std::f64::consts::TAU / 1000.0);
     let segments: Vec<_> = (0..1000).map(|i| [DVec2::ZERO, rim(i)]).collect();
-    let chained = chain(&segments, &[]);
+    let chained = chain(&segments, &[], true);
     assert_eq!(chained.len(), 500);
     for stroke in chained.iter() {
         assert!(stroke[0].distance(stroke[2]) > 1.999);
+    }
+}
+
+/// A smooth curve goes on as itself across every vertex, whatever folds and
+/// other curves end or cross there.
+#[test]
+fn a_contour_goes_on_across_vertices() {
+    let ring = |i: usize| 10.0 * DVec2::from_angle(i as f64 * std::f64::consts::TAU / 40.0);
+    let mut segments: Vec<_> = (0..40).map(|i| [ring(i), ring((i + 1) % 40)]).collect();
+    // Folds end at some vertices, lines pass through others.
+    for i in (0..40).step_by(4) {
+        segments.push([ring(i), ring(i) * 0.3]);
+        segments.push([ring(i + 2) * 0.5, ring(i + 2)]);
+        segments.push([ring(i + 2), ring(i + 2) * 1.5]);
+    }
+    for junctions in [false, true] {
+        let strokes = chain(&segments, &[], junctions);
+        let around = strokes.iter().filter(|stroke| {
+            is_closed(stroke) && stroke.iter().all(|p| (p.length() - 10.0).abs() < 1e-9)
+        });
+        assert_eq!(around.map(<[DVec2]>::len).collect::<Vec<_>>(), [41]);
+        assert_eq!(strokes.len(), 1 + 10 + 10);
     }
 }
 
@@ -121,7 +145,7 @@ proptest! {
             *degrees.entry([end.x.to_bits(), end.y.to_bits()]).or_insert(0) += 1;
         }
         let odd = degrees.values().filter(|degree| *degree % 2 == 1).count();
-        let open = chain(&segments, &[]).iter().filter(|stroke| stroke.first() != stroke.last()).count();
+        let open = chain(&segments, &[], true).iter().filter(|stroke| stroke.first() != stroke.last()).count();
         prop_assert!(open <= odd / 2);
 
         let mut shuffled = segments.clone();

@@ -11,7 +11,7 @@ const WIDTH: f64 = 1.0;
 fn dashes(stroke: &[DVec2]) -> Vec<Vec<DVec2>> {
     let mut strokes = Strokes::default();
     strokes.push(stroke.iter().copied());
-    dashed(&strokes, WIDTH).iter().map(<[DVec2]>::to_vec).collect()
+    dashed(&strokes, Dash::Dashed, WIDTH).iter().map(<[DVec2]>::to_vec).collect()
 }
 
 fn x(x: f64) -> DVec2 {
@@ -99,7 +99,7 @@ proptest! {
             points.push(points[0]);
         }
         let path = Path::new(&points);
-        let pattern = pattern(&path, width);
+        let pattern = Pattern::new(Dash::Dashed, width).unwrap().along(&path);
         let length = path.length();
         prop_assert_eq!(pattern[0][0], 0.0);
         prop_assert_eq!(pattern[pattern.len() - 1][1], length);
@@ -109,13 +109,13 @@ proptest! {
         prop_assert!((dash_sum + gap_sum - length).abs() < 1e-9 * length.max(1.0));
         for two in pattern.windows(2) {
             // Two thirds to twice the nominal gap: the pattern is adapted, not spoilt.
-            let gap = (two[1][0] - two[0][1]) / (GAP * width);
+            let gap = (two[1][0] - two[0][1]) / (3.0 * width);
             prop_assert!(0.66 < gap && gap < 2.0, "gap of {} nominal", gap);
         }
 
         let mut strokes = Strokes::default();
         strokes.push(points.iter().copied());
-        let drawn = dashed(&strokes, width);
+        let drawn = dashed(&strokes, Dash::Dashed, width);
         prop_assert_eq!(drawn.len(), pattern.len());
         prop_assert!((drawn.length() - dash_sum).abs() < 1e-9 * length.max(1.0));
         let first = drawn.get(0)[0];

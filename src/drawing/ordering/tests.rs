@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use crate::drawing::{Layer, LineStyle};
+use crate::drawing::{Layer, LayerTags, LineStyle};
 use crate::model::Color;
 use proptest::prelude::*;
 use std::time::Duration;
@@ -12,7 +12,13 @@ fn drawing(strokes: &[Vec<DVec2>]) -> Drawing {
     let mut all = Strokes::default();
     strokes.iter().for_each(|stroke| all.push(stroke.iter().copied()));
     let style = LineStyle { width: 0.5, color: Color([0; 3]) };
-    let layer = Layer { number: 1, label: "1-visible".into(), style, strokes: all };
+    let layer = Layer {
+        number: 1,
+        label: "1-visible".into(),
+        style,
+        strokes: all,
+        tags: LayerTags::default(),
+    };
     Drawing { size: DVec2::new(200.0, 100.0), scale: 1.0, layers: vec![layer] }
 }
 
@@ -136,7 +142,7 @@ fn a_grid_of_triangles_takes_half_its_odd_joints() {
     }
     let odd = degrees.values().filter(|degree| *degree % 2 == 1).count();
     let chained: Vec<_> =
-        crate::drawing::chaining::chain(&edges, &[]).iter().map(<[DVec2]>::to_vec).collect();
+        crate::drawing::chaining::chain(&edges, &[], false).iter().map(<[DVec2]>::to_vec).collect();
     let trails = ordered(&chained, Effort::Best);
     assert_eq!(trails.len(), (odd / 2).max(1));
     assert_eq!(segments(trails.iter()), segments(edges.iter().map(|edge| &edge[..])));

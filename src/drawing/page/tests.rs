@@ -4,7 +4,7 @@
 
 use super::super::{Length, Paper, Scale, is_closed};
 use super::*;
-use crate::drawing::LayerBy;
+use crate::drawing::{Hidden, LayerBy};
 use crate::model::Unit;
 use crate::run::Counters;
 use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection};

@@ -299,6 +299,33 @@ impl Formula for Skew {
     }
 }
 
+/// `[start, end, start', end']` of two carriers.
+pub(super) struct SkewCarriers(pub(super) [Carrier; 2]);
+
+impl Formula for SkewCarriers {
+    const PREDICATE: Predicate = Predicate::Skew;
+
+    fn degree(&self) -> u32 {
+        3 + self.0.iter().flat_map(|carrier| carrier.ends).map(weight_degree).sum::<u32>()
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let [[p, q], [r, s]] = self.0.map(|carrier| carrier.ends);
+        apply(points, p, &|p| {
+            apply(points, q, &|q| {
+                apply(points, r, &|r| apply(points, s, &|s| orientation(points, p, q, r, s)))
+            })
+        })
+    }
+}
+
+/// [`at_point`] as one function: four of them within one another would be
+/// a great deal of code.
+#[inline(never)]
+fn apply<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
+    at_point(points, point, f)
+}
+
 /// `A2 B1 - A1 B2` for two cuts with values A at the start of the carrier
 /// and B at its end. Its sign, times those of `A1 - B1` and `A2 - B2`, is
 /// the sign of the difference of the parameters `A / (A - B)`.

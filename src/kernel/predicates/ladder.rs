@@ -1,8 +1,8 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew, Turn,
-    Value,
+    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew,
+    SkewCarriers, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign, SmallInteger};
@@ -247,6 +247,16 @@ impl<'p, P: Policy> Predicates<'p, P> {
     #[inline(always)]
     pub fn skew(&self, carrier: Carrier, edge: [u32; 2]) -> Sign {
         self.decide(&Skew(carrier, edge))
+    }
+
+    /// The sign of the bracket of the ends of two carriers: zero if their
+    /// lines meet in space. Which of them comes first does not matter.
+    pub fn skew_of_carriers(&self, first: Carrier, second: Carrier) -> Sign {
+        match (first.as_edge(), second.as_edge()) {
+            (_, Some(edge)) => self.skew(first, edge),
+            (Some(edge), None) => self.skew(second, edge),
+            (None, None) => self.decide(&SkewCarriers([first, second])),
+        }
     }
 
     /// The sign of a cut's functional at the point that divides the carrier

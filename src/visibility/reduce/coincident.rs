@@ -16,17 +16,28 @@ use glam::{DVec2, Vec3A};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
+/// Where a piece comes from: what it takes to ask predicates about it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Origin {
+    /// Index of its line.
+    pub(super) line: u32,
+    /// A bound of the error of its image.
+    pub(super) slack: f64,
+}
+
 /// Cuts overlapping pieces so that each stretch of an image line is drawn
-/// once, and numbers the runs.
+/// once, and numbers the runs. Beside the pieces, their origins if wanted.
 pub(super) fn resolve_coincident<P: Policy>(
     question: &LineQuestion<'_>,
     pieces: &[RoundedPiece],
+    origins_wanted: bool,
     run: &Run<'_>,
-) -> Vec<LinePiece> {
+) -> (Vec<LinePiece>, Vec<Origin>) {
     let groups = groups_of::<P>(question, pieces, run);
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
-        let mut found = Resolved { pieces: Vec::with_capacity(part.len()), runs: 0 };
+        let origins = origins_wanted.then(|| Vec::with_capacity(part.len()));
+        let mut found = Resolved { pieces: Vec::with_capacity(part.len()), origins, runs: 0 };
         for group in part {
             found.add(question, &predicates, pieces, groups.get(group));
         }
@@ -40,7 +51,11 @@ pub(super) fn resolve_coincident<P: Policy>(
         run.merge(counters);
     }
     let lists: Vec<&[LinePiece]> = resolved.iter().map(|(found, _)| &found.pieces[..]).collect();
-    concat_map(&lists, |part, piece| LinePiece { run: first_runs[part] + piece.run, ..*piece })
+    let renumbered =
+        |part: usize, piece: &LinePiece| LinePiece { run: first_runs[part] + piece.run, ..*piece };
+    let origins = resolved.iter().filter_map(|(found, _)| found.origins.as_deref());
+    let origins: Vec<&[Origin]> = origins.collect();
+    (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin))
 }
 
 /// Groups that one task resolves.
@@ -49,6 +64,8 @@ const PART: usize = 2048;
 /// What becomes of some groups.
 struct Resolved {
     pieces: Vec<LinePiece>,
+    /// One for each piece, if wanted.
+    origins: Option<Vec<Origin>>,
     /// Runs are numbered from 0 to this.
     runs: u32,
 }
@@ -87,6 +104,9 @@ impl Resolved {
         for piece in group {
             self.runs = self.runs.max(first + piece.run + 1);
             let run = first + piece.run;
+            if let Some(origins) = &mut self.origins {
+                origins.push(Origin { line: piece.line, slack: piece.slack });
+            }
             self.pieces.push(line_piece(question, &RoundedPiece { run, ..piece }));
         }
     }

@@ -9,13 +9,15 @@
 //! into one stroke without asking whether rounded points are collinear.
 
 mod coincident;
+mod passing;
 mod rounded;
 
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::LineOrigin;
 use crate::run::{Cancelled, Counters, Run, concat_map, map_chunks};
-use crate::view::{ExactLines, LinePiece, LineQuestion, LineSource, VisibleLines};
-use coincident::resolve_coincident;
+use crate::view::{Crossing, ExactLines, LinePiece, LineQuestion, LineSource, VisibleLines};
+use coincident::{Origin, resolve_coincident};
+use passing::find_crossings;
 use rounded::{RoundedPiece, round_line};
 
 /// Lines that one task rounds.
@@ -32,6 +34,37 @@ pub fn reduce<P: Policy>(
     answer: &ExactLines,
     run: &Run<'_>,
 ) -> Result<VisibleLines, Cancelled> {
+    let (pieces, _) = resolved::<P>(question, answer, false, run)?;
+    Ok(drawn(question, pieces, run))
+}
+
+/// As [`reduce`], and where lines of the drawing pass in front of others:
+/// what halos are made of. Crossings are sorted by their pieces. Expected
+/// O(n log n + k) for n pieces and k pairs of pieces with overlapping boxes.
+///
+/// # Errors
+///
+/// If the run is cancelled.
+pub fn reduce_with_crossings<P: Policy>(
+    question: &LineQuestion<'_>,
+    answer: &ExactLines,
+    run: &Run<'_>,
+) -> Result<(VisibleLines, Vec<Crossing>), Cancelled> {
+    let (pieces, origins) = resolved::<P>(question, answer, true, run)?;
+    let crossings = run.stage("crossings", pieces.len() as u64, || {
+        find_crossings::<P>(question, &pieces, &origins, run)
+    });
+    run.check()?;
+    Ok((drawn(question, pieces, run), crossings))
+}
+
+/// Rounded pieces that do not lie on one another.
+fn resolved<P: Policy>(
+    question: &LineQuestion<'_>,
+    answer: &ExactLines,
+    origins_wanted: bool,
+    run: &Run<'_>,
+) -> Result<(Vec<LinePiece>, Vec<Origin>), Cancelled> {
     let pieces = run.stage("rounding", answer.piece_count() as u64, || {
         let parts = map_chunks(answer.len(), PART, |part| {
             let predicates = Predicates::<P>::new(question.points);
@@ -45,13 +78,18 @@ pub fn reduce<P: Policy>(
         gather(&parts, run)
     });
     run.check()?;
-    let pieces = run.stage("coincident lines", pieces.len() as u64, || {
-        resolve_coincident::<P>(question, &pieces, run)
+    let resolved = run.stage("coincident lines", pieces.len() as u64, || {
+        resolve_coincident::<P>(question, &pieces, origins_wanted, run)
     });
     run.check()?;
+    Ok(resolved)
+}
+
+/// The drawing of all pieces.
+fn drawn(question: &LineQuestion<'_>, pieces: Vec<LinePiece>, run: &Run<'_>) -> VisibleLines {
     let objects = question.mesh.objects().iter().map(|object| object.name.clone()).collect();
     run.count("pieces", pieces.len() as u64);
-    Ok(VisibleLines { frame: *question.frame, objects, pieces, counters: run.counters() })
+    VisibleLines { frame: *question.frame, objects, pieces, counters: run.counters() }
 }
 
 /// Joins the results of parallel parts.

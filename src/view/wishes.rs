@@ -1,0 +1,64 @@
+//! What is wished of single objects.
+
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Points, Policy};
+use crate::model::{FeatureLine, FeatureOptions, Features, LineOrigin, Mesh};
+use crate::run::Run;
+
+/// How one object is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ObjectWish {
+    /// Which of its edges are lines.
+    pub features: FeatureOptions,
+    /// Whether it hides nothing. Its own lines are drawn as ever.
+    pub see_through: bool,
+}
+
+/// Lines by the wishes for their objects, effective edges of those that hide.
+/// `facing` of triangles that hide nothing becomes zero, as if edge-on.
+/// O(n) for each different wish.
+pub(super) fn find<P: Policy>(
+    mesh: &Mesh,
+    points: &Points,
+    facing: &mut [Sign],
+    wishes: &[ObjectWish],
+    run: &Run<'_>,
+) -> Features {
+    let mut different: Vec<FeatureOptions> = Vec::new();
+    for wish in wishes {
+        if !different.contains(&wish.features) {
+            different.push(wish.features);
+        }
+    }
+    let mut features = Features::default();
+    for (index, options) in different.iter().enumerate() {
+        let found = Features::find::<P>(mesh, points, facing, options, run);
+        let own = |line: &FeatureLine| wishes[object_of(mesh, line) as usize].features == *options;
+        features.lines.extend(found.lines.into_iter().filter(own));
+        if index == 0 {
+            features.effective = found.effective;
+        }
+    }
+    if 1 < different.len() {
+        features.lines.sort_by_key(|line| line.origin);
+    }
+    if wishes.iter().any(|wish| wish.see_through) {
+        for (triangle, facing) in facing.iter_mut().enumerate() {
+            if wishes[mesh.object_of_triangle(triangle as u32) as usize].see_through {
+                *facing = Sign::Zero;
+            }
+        }
+        let options = FeatureOptions::default();
+        features.effective = Features::find::<P>(mesh, points, facing, &options, run).effective;
+    }
+    features
+}
+
+fn object_of(mesh: &Mesh, line: &FeatureLine) -> u32 {
+    let vertex = match line.origin {
+        LineOrigin::Edge(edge) => mesh.edges().ends(edge)[0],
+        LineOrigin::Loose(index) => mesh.loose_lines()[index as usize][0],
+        LineOrigin::Intersection(_) => 0,
+    };
+    mesh.object_of_vertex(vertex)
+}
