@@ -22,6 +22,9 @@
 //! 6. `ordering`, on request: the order and the sense in which a pen draws its
 //!    strokes; `statistics` says how far it goes.
 //!
+//! Where regions are given too, `surfaces` fills what is seen of a face and
+//! `hatching` covers it with lines.
+//!
 //! `cutting`, on request too, cuts strokes to what a plotter reaches.
 //!
 //! Nothing is decided here: which parts of a line are seen is settled, and
@@ -33,6 +36,7 @@ mod cropping;
 mod cutting;
 mod dashing;
 mod error;
+mod hatching;
 mod joints;
 mod layering;
 mod length;
@@ -46,9 +50,11 @@ mod scale;
 mod smoothing;
 mod statistics;
 mod strokes;
+mod surfaces;
 mod window;
 
 pub use error::DrawingError;
+pub use hatching::{Hatch, HatchAnchor, HatchTone};
 pub use length::Length;
 pub use options::{DrawingOptions, Hidden, Join, LayerBy};
 pub use ordering::Effort;
@@ -57,4 +63,5 @@ pub use paper::Paper;
 pub use scale::Scale;
 pub use statistics::{PenStatistics, Speeds};
 pub use strokes::{Strokes, is_closed};
+pub use surfaces::{Fill, FilledShape, SurfaceOptions};
 pub use window::Window;

@@ -3,14 +3,18 @@
 use super::chaining::chain;
 use super::cropping::crop;
 use super::dashing::dashed;
+use super::hatching::hatches;
 use super::layering::{LayerPlan, plan};
 use super::merging::segments;
 use super::placement::Placement;
 use super::smoothing::{Smoothing, smooth};
-use super::{DrawingError, DrawingOptions, Hidden, Join, Strokes};
+use super::surfaces::{Light, crop_regions, fills};
+use super::{
+    DrawingError, DrawingOptions, FilledShape, Hidden, Join, Strokes, SurfaceOptions,
+};
 use crate::model::Color;
 use crate::run::map_indexed;
-use crate::view::{LineClass, VisibleLines};
+use crate::view::{ImageRegions, LineClass, VisibleLines};
 use glam::DVec2;
 use std::borrow::Cow;
 
@@ -24,6 +28,8 @@ pub struct Drawing {
     /// The layers in the order in which they are painted: hidden ones first,
     /// so that visible lines lie on top. Layers without a stroke are left out.
     pub layers: Vec<Layer>,
+    /// Areas below all layers, in the order in which they are painted.
+    pub fills: Vec<FilledShape>,
 }
 
 /// Strokes of one pen.
@@ -66,14 +72,31 @@ impl Drawing {
     /// If widths, margins, scale or window do not go with the page or the
     /// view, or coordinates are not finite.
     pub fn new(lines: &VisibleLines, options: &DrawingOptions) -> Result<Self, DrawingError> {
+        let (regions, surfaces) = (ImageRegions::default(), SurfaceOptions::default());
+        Self::with_regions(lines, &regions, &surfaces, options)
+    }
+
+    /// Lays lines out on a page, and below them what is seen of the surfaces:
+    /// filled, hatched, or both. A hatch has a layer of its own.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::new`]; and if the hatch is too fine to be one.
+    pub fn with_regions(
+        lines: &VisibleLines,
+        regions: &ImageRegions,
+        surfaces: &SurfaceOptions,
+        options: &DrawingOptions,
+    ) -> Result<Self, DrawingError> {
         for width in [options.visible_width, options.hidden_width] {
             if !PEN_WIDTHS.contains(&width) {
                 return Err(DrawingError::PenWidth(width));
             }
         }
+        let regions = &*crop_regions(lines, regions, options)?;
         let lines = &*crop(lines, options)?;
         let plans = plan(lines, options);
-        let placement = Placement::new(lines, &plans, options)?;
+        let placement = Placement::new(lines, &plans, regions, options)?;
         let solid = map_indexed(plans.len(), |i| join(lines, &plans[i], &placement, options));
         let solid = match (options.fit.millimetres(), options.simplify.millimetres()) {
             (0.0, 0.0) => solid,
@@ -81,8 +104,18 @@ impl Drawing {
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
         let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i], options));
-        let layers = finished.into_iter().filter(|layer| !layer.strokes.is_empty()).collect();
-        Ok(Drawing { size: placement.size, scale: placement.scale, layers })
+        let light = Light::new(&lines.frame, surfaces);
+        let place = |point| placement.apply(point);
+        let mut hatched = Vec::new();
+        if let Some(hatch) = &surfaces.hatch {
+            let mut strokes = hatches(regions, light, hatch, placement.size, &place)?;
+            strokes.retain_longer(options.min_length.millimetres());
+            hatched.push(hatch_layer(strokes, &plans, options));
+        }
+        let layers = hatched.into_iter().chain(finished);
+        let layers = layers.filter(|layer| !layer.strokes.is_empty()).collect();
+        let fills = fills(regions, light, surfaces.fill, place);
+        Ok(Drawing { size: placement.size, scale: placement.scale, layers, fills })
     }
 
     /// The same drawing with polylines nowhere farther than `flatness`
@@ -124,6 +157,14 @@ fn join(
     };
     strokes.retain_longer(options.min_length.millimetres());
     strokes
+}
+
+/// The layer of a hatch: after all others in number, below them on paper.
+fn hatch_layer(strokes: Strokes, plans: &[LayerPlan], options: &DrawingOptions) -> Layer {
+    // Hidden lines have the second layer even where there are none.
+    let number = plans.iter().map(|plan| plan.number).fold(2, u32::max) + 1;
+    let style = LineStyle { width: options.hidden_width, color: Color([0; 3]) };
+    Layer { number, label: format!("{number}-hatch"), style, strokes }
 }
 
 /// A layer of joined strokes in its style.

@@ -69,4 +69,7 @@ pub struct ImageRegion {
 pub struct ImageRegions {
     /// What is seen of each face.
     pub regions: Vec<ImageRegion>,
+    /// For each object the image of its first vertex, to anchor patterns to;
+    /// zero if it has none.
+    pub anchors: Vec<DVec2>,
 }

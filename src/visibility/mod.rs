@@ -16,5 +16,5 @@ pub use reduce::reduce;
 pub use roberts::roberts;
 pub use visible_lines::visible_lines;
 pub use weiler_atherton::{
-    RegionFault, RegionOptions, RegionsError, image_regions, visible_regions,
+    RegionFault, RegionOptions, RegionsError, image_regions, region_lines, visible_regions,
 };

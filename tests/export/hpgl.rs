@@ -18,7 +18,7 @@ fn drawing(size: DVec2, strokes: &[Vec<DVec2>], number: u32) -> Drawing {
     strokes.iter().for_each(|stroke| all.push(stroke.iter().copied()));
     let style = LineStyle { width: 0.5, color: Color([0; 3]) };
     let layer = Layer { number, label: format!("{number}-test"), style, strokes: all };
-    Drawing { size, scale: 1.0, layers: vec![layer] }
+    Drawing { size, scale: 1.0, layers: vec![layer], fills: Vec::new() }
 }
 
 #[test]

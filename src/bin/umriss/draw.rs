@@ -11,6 +11,7 @@ use crate::pen_flags::PenFlags;
 use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
 use crate::stroke_flags::StrokeFlags;
+use crate::surface_flags::SurfaceFlags;
 use clap::Args;
 use std::path::PathBuf;
 use umriss::drawing::Drawing;
@@ -18,8 +19,8 @@ use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
 use umriss::model::Scene;
 use umriss::run::Run;
-use umriss::view::{PreparedView, VisibleLines};
-use umriss::visibility::reduce;
+use umriss::view::{ImageRegions, PreparedView, VisibleLines};
+use umriss::visibility::{RegionOptions, image_regions, reduce, visible_regions};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,6 +29,8 @@ Examples:
   umriss draw part.glb -o part.hpgl --paper a3 --landscape --scale 1:2
   umriss draw part.stl -o part.hpgl --device hp7475a --margin 16mm --order best --speed 10
   umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
+  umriss draw part.obj -o part.svg --fill shade --light -1,-2,3
+  umriss draw part.stl -o part.hpgl -o part.svg --hatch shade --hatch-spacing 0.8mm
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
   umriss draw part.json -o detail.svg --frame 10,-5,30,15 --scale 5:1 --paper tight
@@ -60,6 +63,8 @@ pub(crate) struct Draw {
     #[arg(long, value_enum, value_name = "M", help_heading = "Lines")]
     method: Option<Method>,
     #[command(flatten)]
+    surfaces: SurfaceFlags,
+    #[command(flatten)]
     page: PageFlags,
     #[command(flatten)]
     strokes: StrokeFlags,
@@ -75,7 +80,7 @@ impl Draw {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let outputs = self.outputs.plan()?;
-        self.method.map_or(Ok(()), Method::check)?;
+        self.method.map_or(Ok(()), |method| method.check(self.page.hidden_wanted()))?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
         outputs.write(&computed, &plotter, self.page.precision)
@@ -83,10 +88,13 @@ impl Draw {
 
     fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
         let hidden = self.page.hidden_wanted();
+        let mut regions = ImageRegions::default();
         let (lines, notes) = match read_subject(&self.models, &self.model, &self.session, run)? {
             Subject::Scene(scene) => {
                 let notes = DrawingNotes { unit: Some(scene.unit), hidden: Some(hidden) };
-                (self.find_lines(&scene, run)?, notes)
+                let lines;
+                (lines, regions) = self.find(&scene, run)?;
+                (lines, notes)
             }
             Subject::Drawing(drawing) => {
                 let (lines, mut notes) = *drawing;
@@ -100,18 +108,32 @@ impl Draw {
         };
         let pieces = lines.pieces.len() as u64;
         let options = self.strokes.apply(self.page.options(notes.unit.unwrap_or_default()));
-        let mut drawing = run.stage("page", pieces, || Drawing::new(&lines, &options))?;
+        let surfaces = self.surfaces.options();
+        let mut drawing = run.stage("page", pieces, || {
+            Drawing::with_regions(&lines, &regions, &surfaces, &options)
+        })?;
         self.pen.apply(&mut drawing, plotter, &self.session, run);
         Ok(Computed { lines, notes, drawing })
     }
 
-    fn find_lines(&self, scene: &Scene, run: &Run<'_>) -> Result<VisibleLines, Failure> {
+    /// The lines, and what is seen of the surfaces if that is drawn.
+    fn find(&self, scene: &Scene, run: &Run<'_>) -> Result<(VisibleLines, ImageRegions), Failure> {
         let view = self.camera.view(&scene.mesh)?;
         let options = self.lines.options();
         let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
         let question = prepared.question(self.page.hidden_wanted());
-        let answer = self.method.unwrap_or(Method::Appel).answer(&question, run)?;
-        Ok(reduce::<Exact>(&question, &answer, run)?)
+        let regions = match self.surfaces.any() {
+            true => Some(visible_regions::<Exact>(&question, &RegionOptions::default(), run)?),
+            false => None,
+        };
+        let method = self.method.unwrap_or(Method::Appel);
+        let answer = method.answer(&question, regions.as_ref(), run)?;
+        let lines = reduce::<Exact>(&question, &answer, run)?;
+        let regions = match &regions {
+            Some(regions) => image_regions(&question, regions)?,
+            None => ImageRegions::default(),
+        };
+        Ok((lines, regions))
     }
 
     /// What a computed drawing has settled cannot be asked for again.
@@ -120,6 +142,7 @@ impl Draw {
             ("the camera", self.camera.any()),
             ("--crease and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
+            ("--fill and --hatch", self.surfaces.any()),
             ("--weld", self.model.weld.is_some()),
             ("--up-axis", self.model.up_axis.is_some()),
         ];

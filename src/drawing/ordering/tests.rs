@@ -13,7 +13,7 @@ fn drawing(strokes: &[Vec<DVec2>]) -> Drawing {
     strokes.iter().for_each(|stroke| all.push(stroke.iter().copied()));
     let style = LineStyle { width: 0.5, color: Color([0; 3]) };
     let layer = Layer { number: 1, label: "1-visible".into(), style, strokes: all };
-    Drawing { size: DVec2::new(200.0, 100.0), scale: 1.0, layers: vec![layer] }
+    Drawing { size: DVec2::new(200.0, 100.0), scale: 1.0, layers: vec![layer], fills: Vec::new() }
 }
 
 fn ordered(strokes: &[Vec<DVec2>], effort: Effort) -> Strokes {

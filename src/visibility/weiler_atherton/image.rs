@@ -2,6 +2,7 @@
 
 use super::RegionsError;
 use crate::kernel::predicates::{Chart, Exact, ImagePoint, Predicates};
+use crate::model::Object;
 use crate::polygon::clipping::{Corner, Polygon, Ring};
 use crate::run::map_indexed;
 use crate::view::{ImageRegion, ImageRegions, LineQuestion, Projection, VisibleRegions};
@@ -31,7 +32,17 @@ pub fn image_regions(
             polygons: region.polygons.iter().map(|polygon| rounder.polygon(polygon)).collect(),
         }
     });
-    Ok(ImageRegions { regions })
+    let anchor = |object: &Object| {
+        let first = question.coordinates.point(object.vertices.start);
+        let place = question.coordinates.project(first).0;
+        if place.is_finite() { place } else { DVec2::ZERO }
+    };
+    let has_vertex = |object: &Object| !object.vertices.is_empty();
+    let objects = question.mesh.objects().iter();
+    let anchors = objects
+        .map(|object| if has_vertex(object) { anchor(object) } else { DVec2::ZERO })
+        .collect();
+    Ok(ImageRegions { regions, anchors })
 }
 
 struct Rounder<'a, 'q> {

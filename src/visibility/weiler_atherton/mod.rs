@@ -40,9 +40,11 @@
 mod cover;
 mod hiding;
 mod image;
+mod lines;
 mod outline;
 
 pub use image::image_regions;
+pub use lines::region_lines;
 
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::Mesh;
