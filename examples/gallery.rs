@@ -6,14 +6,24 @@
 
 #![allow(clippy::print_stdout)]
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::error::Error;
 use std::path::Path;
-use umriss::drawing::{Drawing, DrawingOptions, Hidden, Paper};
+use umriss::drawing::{
+    Drawing, DrawingOptions, Fill, FilledShape, Hatch, Hidden, Layer, Length, LineStyle, Paper,
+    Strokes, SurfaceOptions,
+};
 use umriss::export::{SvgOptions, to_png, to_svg, write_file};
-use umriss::model::{Camera, FeatureOptions, LineClass, Scene, SceneOptions, StandardView, import};
+use umriss::kernel::predicates::Exact;
+use umriss::model::{
+    Camera, Color, FeatureOptions, LineClass, Scene, SceneOptions, StandardView, import,
+};
+use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
-use umriss::visibility::visible_lines;
+use umriss::view::{ImageRegions, PreparedView};
+use umriss::visibility::{
+    AppelOptions, RegionOptions, appel, image_regions, reduce, visible_regions,
+};
 
 /// One drawing of the gallery.
 struct Picture {
@@ -24,6 +34,9 @@ struct Picture {
     /// All edges, not only features.
     all_edges: bool,
     crease: f64,
+    fill: Fill,
+    /// Millimetres between the lines of a hatch by shade; none if zero.
+    hatch: f64,
 }
 
 /// Where a model is seen from.
@@ -35,13 +48,25 @@ enum Seen {
 }
 
 const fn features(name: &'static str, model: &'static str, camera: Seen) -> Picture {
-    Picture { name, model, camera, hidden: Hidden::None, all_edges: false, crease: 30.0 }
+    Picture {
+        name,
+        model,
+        camera,
+        hidden: Hidden::None,
+        all_edges: false,
+        crease: 30.0,
+        fill: Fill::None,
+        hatch: 0.0,
+    }
 }
 
 fn gallery() -> Vec<Picture> {
     let dashed = |picture| Picture { hidden: Hidden::Dashed, ..picture };
     let mesh = |picture| Picture { all_edges: true, ..picture };
     let sharp = |crease, picture| Picture { crease, ..picture };
+    let shaded = |picture| Picture { fill: Fill::Shade, ..picture };
+    let flat = |picture| Picture { fill: Fill::Flat, ..picture };
+    let hatched = |hatch, picture| Picture { hatch, ..picture };
     let at = DVec3::new;
     vec![
         features("teapot", "teapot.obj", Seen::Along(at(-0.35, -0.45, -0.8))),
@@ -68,6 +93,25 @@ fn gallery() -> Vec<Picture> {
         features("staircase", "staircase.obj", Seen::Named("cavalier")),
         dashed(features("house", "house_groups.obj", Seen::Named("iso-se"))),
         dashed(features("cube-with-hole", "cube_hole.obj", Seen::Named("iso"))),
+        shaded(features("teapot-shaded", "teapot.obj", Seen::Along(at(-0.35, -0.45, -0.8)))),
+        shaded(hatched(
+            0.5,
+            features(
+                "city-shaded",
+                "voxel_city.obj",
+                Seen::From(at(-9.0, -13.0, 12.0), at(12.0, 12.0, 1.0), 50.0),
+            ),
+        )),
+        hatched(0.4, features("gear-hatched", "gear64.obj", Seen::Named("iso"))),
+        hatched(
+            0.35,
+            sharp(60.0, features("spot-hatched", "spot.obj", Seen::Along(at(0.8, -0.35, 0.75)))),
+        ),
+        shaded(hatched(0.8, features("three-bars", "three_bars.obj", Seen::Named("top")))),
+        flat(hatched(
+            0.8,
+            features("plates-with-holes", "plates_with_holes.json", Seen::Named("iso")),
+        )),
     ]
 }
 
@@ -77,6 +121,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let pieces = draw(root, &picture)?;
         println!("{:<16} {pieces:>6} pieces   {}", picture.name, command(&picture));
     }
+    draw_clip(root)?;
+    println!("{:<16}", "clip");
     Ok(())
 }
 
@@ -90,7 +136,19 @@ fn draw(root: &Path, picture: &Picture) -> Result<usize, Box<dyn Error>> {
         options = options.with_classes(&LineClass::ALL);
     }
     let hidden = picture.hidden != Hidden::None;
-    let lines = visible_lines(&scene.mesh, &view, &options, hidden, &Run::default())?;
+    let run = Run::default();
+    let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, &run)?;
+    let question = prepared.question(hidden);
+    let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
+    let lines = reduce::<Exact>(&question, &answer, &run)?;
+    let surfaces = SurfaceOptions { fill: picture.fill, hatch: hatch(picture), light: None };
+    let regions = match surfaces == SurfaceOptions::default() {
+        true => ImageRegions::default(),
+        false => {
+            let regions = visible_regions::<Exact>(&question, &RegionOptions::default(), &run)?;
+            image_regions(&question, &regions)?
+        }
+    };
     let options = DrawingOptions {
         paper: Paper::A5,
         landscape: true,
@@ -99,11 +157,67 @@ fn draw(root: &Path, picture: &Picture) -> Result<usize, Box<dyn Error>> {
         hidden_width: 0.18,
         ..DrawingOptions::default()
     };
-    let svg = to_svg(&Drawing::new(&lines, &options)?, &SvgOptions::default())?;
-    let file = root.join("output").join(picture.name);
+    let drawing = Drawing::with_regions(&lines, &regions, &surfaces, &options)?;
+    write(root, picture.name, &drawing)?;
+    Ok(lines.pieces.len())
+}
+
+fn write(root: &Path, name: &str, drawing: &Drawing) -> Result<(), Box<dyn Error>> {
+    let svg = to_svg(drawing, &SvgOptions::default())?;
+    let file = root.join("output").join(name);
     write_file(&file.with_extension("svg"), svg.as_bytes())?;
     write_file(&file.with_extension("png"), &to_png(&svg, 1000)?)?;
-    Ok(lines.pieces.len())
+    Ok(())
+}
+
+fn hatch(picture: &Picture) -> Option<Hatch> {
+    let spacing = Length::from_millimetres(picture.hatch);
+    (picture.hatch > 0.0).then(|| Hatch { spacing, ..Hatch::default() })
+}
+
+/// Two polygons that meet in every degenerate way, and what they have in
+/// common, what either has alone: edges on edges, in the same sense and
+/// against it, corners on corners, corners on edges, holes that touch.
+fn draw_clip(root: &Path) -> Result<(), Box<dyn Error>> {
+    let ring = |corners: &[[i32; 2]]| -> Vec<DVec2> {
+        corners.iter().map(|[x, y]| DVec2::new(f64::from(*x), f64::from(*y))).collect()
+    };
+    let first = [
+        ring(&[[0, 0], [16, 0], [16, 8], [20, 12], [16, 16], [8, 16], [8, 20], [0, 20]]),
+        ring(&[[2, 2], [6, 2], [6, 6], [2, 6]]),
+        ring(&[[10, 4], [14, 4], [12, 8]]),
+    ];
+    let second = [
+        ring(&[[4, 4], [12, 4], [16, 4], [24, 4], [24, 8], [16, 8], [24, 16], [8, 16], [4, 20]]),
+        // A hole on an edge of the first's hole, and one on its corner.
+        ring(&[[6, 6], [6, 9], [9, 9], [9, 6]]),
+        ring(&[[12, 8], [11, 11], [13, 11]]),
+    ];
+    let shape = |rings: &[Vec<DVec2>]| PlaneShape::new(&[rings.to_vec()], FillRule::EvenOdd);
+    let (one, other) = (shape(&first)?, shape(&second)?);
+    let place = |point: DVec2| DVec2::new(20.0 + 4.6 * point.x, 120.0 - 4.6 * point.y);
+    let placed = |ring: &Vec<DVec2>| -> Vec<DVec2> { ring.iter().map(|&p| place(p)).collect() };
+    let area = |operation, shapes: &[&PlaneShape], color| -> Result<FilledShape, Box<dyn Error>> {
+        let rounded = PlaneShape::operation(operation, shapes)?.rounded()?;
+        Ok(FilledShape { color, rings: rounded.polygons.iter().flatten().map(placed).collect() })
+    };
+    let fills = vec![
+        area(Operation::Difference, &[&one, &other], Color([222, 196, 140]))?,
+        area(Operation::Difference, &[&other, &one], Color([150, 184, 214]))?,
+        area(Operation::Intersection, &[&one, &other], Color([122, 160, 110]))?,
+    ];
+    let layer = |number: u32, rings: &[Vec<DVec2>], width, color| {
+        let mut strokes = Strokes::default();
+        rings.iter().map(placed).for_each(|ring| {
+            strokes.push(ring.iter().chain(ring.first()).copied());
+        });
+        Layer { number, label: number.to_string(), style: LineStyle { width, color }, strokes }
+    };
+    let layers = vec![
+        layer(1, &first, 0.9, Color([150, 90, 20])),
+        layer(2, &second, 0.35, Color([20, 60, 140])),
+    ];
+    write(root, "clip", &Drawing { size: DVec2::new(150.0, 140.0), scale: 1.0, layers, fills })
 }
 
 fn camera(seen: &Seen) -> Result<Camera, Box<dyn Error>> {
@@ -149,6 +263,14 @@ fn command(picture: &Picture) -> String {
     }
     if picture.crease != 30.0 {
         words.push(format!("--crease {}", picture.crease));
+    }
+    match picture.fill {
+        Fill::None => {}
+        Fill::Flat => words.push("--fill flat".to_owned()),
+        Fill::Shade => words.push("--fill shade".to_owned()),
+    }
+    if picture.hatch > 0.0 {
+        words.push(format!("--hatch shade --hatch-spacing {}mm", picture.hatch));
     }
     words.push(format!("--paper a5 --landscape -o {}.svg", picture.name));
     words.join(" ")

@@ -5,7 +5,8 @@
 //! (`features`), interpenetration (`intersections`), one line where several
 //! coincide (`reduction`), what must not matter (`invariances`, `threads`),
 //! and scenes that break floating-point programs, looked at once and
-//! compared whole ever since (`degenerate`).
+//! compared whole ever since (`degenerate`), and what is seen of faces
+//! (`regions`).
 //!
 //! Random scenes come from seeds, which every failure names. `UMRISS_LONG=1`
 //! runs a hundred times as many.
@@ -18,6 +19,7 @@ mod features;
 mod intersections;
 mod invariances;
 mod reduction;
+mod regions;
 mod scenes;
 #[cfg(all(feature = "json", feature = "svg", feature = "parallel"))]
 mod threads;
