@@ -95,16 +95,16 @@ fn gallery() -> Vec<Picture> {
         dashed(features("cube-with-hole", "cube_hole.obj", Seen::Named("iso"))),
         shaded(features("teapot-shaded", "teapot.obj", Seen::Along(at(-0.35, -0.45, -0.8)))),
         shaded(hatched(
-            0.5,
+            0.8,
             features(
                 "city-shaded",
                 "voxel_city.obj",
                 Seen::From(at(-9.0, -13.0, 12.0), at(12.0, 12.0, 1.0), 50.0),
             ),
         )),
-        hatched(0.4, features("gear-hatched", "gear64.obj", Seen::Named("iso"))),
+        hatched(0.6, features("gear-hatched", "gear64.obj", Seen::Named("iso"))),
         hatched(
-            0.35,
+            0.5,
             sharp(60.0, features("spot-hatched", "spot.obj", Seen::Along(at(0.8, -0.35, 0.75)))),
         ),
         shaded(hatched(0.8, features("three-bars", "three_bars.obj", Seen::Named("top")))),

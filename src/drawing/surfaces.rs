@@ -5,8 +5,10 @@
 //! same colour around it covers the seams that renderers leave between areas
 //! of two colours, each of which covers half of a pixel.
 //!
-//! Brightness is Lambert's (1760): the cosine between the normal and the
-//! direction towards the light, and some light from everywhere.
+//! Brightness is Lambert's (1760), the cosine between the normal and the
+//! direction towards the light, but of a light so large that it shines a
+//! little around the edge ("wrapped"), so that the dark side has a shape too;
+//! and some light comes from everywhere.
 
 use super::cropping::window;
 use super::hatching::Hatch;
@@ -74,6 +76,9 @@ pub struct FilledShape {
 /// The colour of faces to which the file gives none.
 const PAPER_GREY: Color = Color([236, 236, 232]);
 
+/// The cosine beyond the edge at which a face is dark.
+const WRAP: f64 = 0.35;
+
 /// The share of light that comes from everywhere.
 const AMBIENT: f64 = 0.25;
 
@@ -90,7 +95,7 @@ impl Light {
 
     /// From 0 in the dark to 1 in full light.
     pub(super) fn on(self, region: &ImageRegion) -> f64 {
-        self.0.dot(region.normal).clamp(0.0, 1.0)
+        ((self.0.dot(region.normal) + WRAP) / (1.0 + WRAP)).clamp(0.0, 1.0)
     }
 }
 

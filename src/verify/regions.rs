@@ -83,9 +83,10 @@ pub struct RegionReport {
     pub skipped: Option<String>,
     /// Regions, disjoint and together the images.
     pub area: RegionTally,
-    /// Whether the images could be told: no face reaches through the near
-    /// plane. Else only overlaps are looked for.
-    pub union_checked: bool,
+    /// Whether faces lie between the eye and the near plane, or reach through
+    /// it. These hide lines, which regions do not know, so overlaps and owners
+    /// are all that is looked for.
+    pub near_faces: bool,
     /// Samples.
     pub owner: RegionTally,
     /// Pieces of lines.
@@ -145,8 +146,8 @@ impl fmt::Display for RegionReport {
             "border: besides, {faceless} visible pieces of lines without a face that shows, \
              {on_other_face} on another face, {below_other_line} borders below another line"
         )?;
-        if !self.union_checked {
-            writeln!(f, "area: overlaps only (faces reach through the near plane)")?;
+        if self.near_faces {
+            writeln!(f, "area: overlaps only, border: not run (faces before the near plane)")?;
         }
         self.described.iter().try_for_each(|what| writeln!(f, "{what}"))
     }
@@ -193,6 +194,9 @@ pub fn verify_regions<P: Policy>(
     if let Some(samples) = samples {
         report.append(check_owners::<P>(view, question, &regions, &samples, run)?);
     }
+    if report.near_faces {
+        return Ok(report);
+    }
     match region_lines::<P>(question, &regions, run) {
         Ok(borders) => report.append(check_borders::<P>(question, answer, &borders, run)?),
         Err(RegionsError::Cancelled(cancelled)) => return Err(cancelled),
@@ -214,19 +218,15 @@ fn check_areas<P: Policy>(
     };
     let near = question.points.has_near_plane();
     let is_in_front = |&corner: &u32| {
-        !near || predicates.value_sign(Cut::Near, Point::Vertex(corner)) != Sign::Negative
+        !near || predicates.value_sign(Cut::Near, Point::Vertex(corner)) == Sign::Positive
     };
     let mut images = Vec::new();
-    report.union_checked = true;
     for (corners, facing) in question.mesh.triangles().iter().zip(question.facing) {
-        if facing.is_zero() {
+        // What lies behind the eye for certain has an empty box.
+        if facing.is_zero() || (near && question.coordinates.bounds(*corners).is_empty()) {
             continue;
         }
-        match corners.iter().filter(|corner| is_in_front(corner)).count() {
-            0 => continue,
-            3 => {}
-            _ => report.union_checked = false,
-        }
+        report.near_faces |= !corners.iter().all(is_in_front);
         let [a, b, c] = *corners;
         let corners = if *facing == Sign::Positive { [a, b, c] } else { [a, c, b] };
         images.push(Polygon::of_vertices([corners]));
@@ -236,10 +236,10 @@ fn check_areas<P: Policy>(
     let odd = Operand::new(&all, FillRule::EvenOdd);
     let any = Operand::new(&all, FillRule::Positive);
     let differs = |inside: &[bool]| u32::from(inside.iter().any(|&one| one != inside[0]));
-    let defects = if report.union_checked {
-        clipper.overlay(&[odd, any, Operand::new(&images, FillRule::Positive)], &differs)
-    } else {
+    let defects = if report.near_faces {
         clipper.overlay(&[odd, any], &differs)
+    } else {
+        clipper.overlay(&[odd, any, Operand::new(&images, FillRule::Positive)], &differs)
     };
     let defects = defects.get(&1).map_or(&[][..], Vec::as_slice);
     report.area =

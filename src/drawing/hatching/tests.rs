@@ -84,10 +84,10 @@ fn no_line_ends_before_the_border() {
 
 #[test]
 fn darker_faces_are_denser_and_the_darkest_are_crossed() {
-    let tilted = |bright: f64| DVec3::new((1.0 - bright * bright).sqrt(), 0.0, bright);
-    let lengths: Vec<f64> = [1.0, 0.7, 0.5, 0.3, 0.2, 0.0]
-        .map(|bright| {
-            let region = region(vec![square(10.0, 70.0)], tilted(bright));
+    let tilted = |cosine: f64| DVec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
+    let lengths: Vec<f64> = [1.0, 0.7, 0.4, 0.1, -0.1, -0.4]
+        .map(|cosine| {
+            let region = region(vec![square(10.0, 70.0)], tilted(cosine));
             hatched(vec![region], &Hatch::default()).length()
         })
         .to_vec();

@@ -13,11 +13,11 @@ use crate::polygon::clipping::{Corner, Ring};
 /// How a triangle lies to the near plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum NearSide {
-    /// No corner lies behind it.
+    /// Some corner lies in front of it, none behind it.
     Front,
     /// It is cut.
     Cut,
-    /// Nothing of it has an area in front.
+    /// Nothing of it lies in front.
     Behind,
 }
 
@@ -27,12 +27,12 @@ pub(super) fn near_side<P: Policy>(predicates: &Predicates<'_, P>, corners: [u32
         return NearSide::Front;
     }
     let signs = near_signs(predicates, corners);
-    if !signs.contains(&Sign::Negative) {
-        NearSide::Front
-    } else if signs.contains(&Sign::Positive) {
+    if !signs.contains(&Sign::Positive) {
+        NearSide::Behind
+    } else if signs.contains(&Sign::Negative) {
         NearSide::Cut
     } else {
-        NearSide::Behind
+        NearSide::Front
     }
 }
 
