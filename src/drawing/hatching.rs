@@ -157,6 +157,8 @@ pub(super) fn hatches(
                 _ => joined.push([*from, *to]),
             }
         }
+        // A corner that a line just touches is no stroke.
+        joined.retain(|[from, to]| SAME < to - from);
         // To and fro, as a hand would draw it.
         if key.2 % 2 != 0 {
             joined.iter_mut().for_each(|span| span.swap(0, 1));
