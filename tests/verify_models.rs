@@ -15,7 +15,9 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use umriss::kernel::numbers::Sign;
 use umriss::kernel::predicates::{Exact, Eye, Points, Predicates};
-use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, import};
+use umriss::model::{
+    Camera, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, import,
+};
 use umriss::run::Run;
 use umriss::verify::{RegionVerifyOptions, VerifyOptions, verify, verify_regions};
 use umriss::view::PreparedView;

@@ -9,9 +9,7 @@ use super::merging::segments;
 use super::placement::Placement;
 use super::smoothing::{Smoothing, smooth};
 use super::surfaces::{Light, crop_regions, fills};
-use super::{
-    DrawingError, DrawingOptions, FilledShape, Hidden, Join, Strokes, SurfaceOptions,
-};
+use super::{DrawingError, DrawingOptions, FilledShape, Hidden, Join, Strokes, SurfaceOptions};
 use crate::model::Color;
 use crate::run::map_indexed;
 use crate::view::{ImageRegions, LineClass, VisibleLines};

@@ -73,7 +73,12 @@ mod tests {
         strokes.push([DVec2::new(30.0, 10.0), DVec2::new(30.0, 0.0)]);
         let style = LineStyle { width: 0.5, color: Color([0; 3]) };
         let layer = Layer { number: 1, label: "1-visible".into(), style, strokes };
-        let drawing = Drawing { size: DVec2::splat(100.0), scale: 1.0, layers: vec![layer], fills: Vec::new() };
+        let drawing = Drawing {
+            size: DVec2::splat(100.0),
+            scale: 1.0,
+            layers: vec![layer],
+            fills: Vec::new(),
+        };
         let sum = PenStatistics::of(&drawing);
         assert_eq!(sum, PenStatistics { strokes: 2, pens: 1, drawn: 60.0, pen_up: 30.0 });
         let speeds = Speeds { down: 60.0, up: 300.0, lift: 0.5, change: 2.0 };

@@ -43,10 +43,9 @@ impl FromStr for Fill {
             "none" => Ok(Fill::None),
             "flat" => Ok(Fill::Flat),
             "shade" => Ok(Fill::Shade),
-            _ => Err(DrawingError::Choice {
-                word: text.to_owned(),
-                expected: "none, flat or shade",
-            }),
+            _ => {
+                Err(DrawingError::Choice { word: text.to_owned(), expected: "none, flat or shade" })
+            }
         }
     }
 }

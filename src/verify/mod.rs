@@ -28,9 +28,7 @@ mod report;
 mod tests;
 
 pub use cross_check::{Comparison, CrossCheck, cross_check};
-pub use regions::{
-    RegionReport, RegionTally, RegionVerifyOptions, Surplus, verify_regions,
-};
+pub use regions::{RegionReport, RegionTally, RegionVerifyOptions, Surplus, verify_regions};
 pub use report::{Check, Difference, DifferenceSegment, Report, Tally};
 
 use crate::kernel::predicates::Policy;

@@ -25,9 +25,7 @@ use crate::raster::samples::Sampled;
 use crate::raster::{BoxTree, Samples, SheetCounter, ray_cast};
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::view::{ExactLines, ExactPiece, LineQuestion, Region, VisibleRegions};
-use crate::visibility::{
-    RegionFault, RegionOptions, RegionsError, region_lines, visible_regions,
-};
+use crate::visibility::{RegionFault, RegionOptions, RegionsError, region_lines, visible_regions};
 use glam::DVec2;
 use std::fmt;
 
@@ -189,8 +187,7 @@ pub fn verify_regions<P: Policy>(
     });
     run.check()?;
     let count = question.mesh.vertices().len() as u32;
-    let samples =
-        Samples::around(question.frame, question.coordinates, count, options.image_size);
+    let samples = Samples::around(question.frame, question.coordinates, count, options.image_size);
     if let Some(samples) = samples {
         report.append(check_owners::<P>(view, question, &regions, &samples, run)?);
     }
@@ -431,8 +428,7 @@ impl<P: Policy> Borders<'_, '_, P> {
     /// A visible piece at which no region of its faces ends.
     fn visible_only(&mut self, line: usize, places: [Place; 2]) {
         let own = self.own(line);
-        let is_crossing =
-            matches!(self.question.lines[line].origin, LineOrigin::Intersection(_));
+        let is_crossing = matches!(self.question.lines[line].origin, LineOrigin::Intersection(_));
         // Where one of two crossing faces is seen from the edge, the other
         // is seen on both sides.
         if own.is_empty() || (is_crossing && own.len() < 2) {
@@ -459,8 +455,7 @@ impl<P: Policy> Borders<'_, '_, P> {
                 }
             });
         }
-        let is_covered =
-            |(_, sides): &(u32, [bool; 2])| (0..2).all(|i| !sides[i] || covered[i]);
+        let is_covered = |(_, sides): &(u32, [bool; 2])| (0..2).all(|i| !sides[i] || covered[i]);
         if own.iter().all(is_covered) {
             self.report.surplus.on_other_face += 1;
         } else {
@@ -474,8 +469,7 @@ impl<P: Policy> Borders<'_, '_, P> {
         let probe = self.counter.probe(carrier, places, 0.5);
         let sheets = self.counter.count(&self.question.lines[line], probe);
         let own = self.own(line);
-        let is_free =
-            |(_, sides): &(u32, [bool; 2])| (0..2).any(|i| sides[i] && sheets[i] == 0);
+        let is_free = |(_, sides): &(u32, [bool; 2])| (0..2).any(|i| sides[i] && sheets[i] == 0);
         if own.iter().any(is_free) {
             self.report.surplus.below_other_line += 1;
         } else {

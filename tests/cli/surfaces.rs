@@ -25,9 +25,10 @@ fn a_cube_has_three_shades_and_one_colour() {
     let fills = |flags: &str| {
         folder.succeeds(&format!("draw cube.obj -o a.svg {flags}"));
         let text = folder.text("a.svg");
-        let group = text.split("id=\"fill\"").nth(1).map_or("", |rest| {
-            rest.split("</g>").next().unwrap_or_default()
-        });
+        let group = text
+            .split("id=\"fill\"")
+            .nth(1)
+            .map_or("", |rest| rest.split("</g>").next().unwrap_or_default());
         group.matches("<path").count()
     };
     assert_eq!(fills(""), 0);

@@ -3,9 +3,7 @@
 use clap::Args;
 use glam::DVec3;
 use std::str::FromStr;
-use umriss::drawing::{
-    DrawingError, Fill, Hatch, HatchAnchor, HatchTone, Length, SurfaceOptions,
-};
+use umriss::drawing::{DrawingError, Fill, Hatch, HatchAnchor, HatchTone, Length, SurfaceOptions};
 
 /// Fills and hatches.
 #[derive(Args)]

@@ -70,9 +70,8 @@ fn no_line_ends_before_the_border() {
     let strokes = hatched(vec![region(vec![ring.clone()], DVec3::Z)], &hatch);
     assert!(strokes.len() > 500);
     for end in strokes.iter().flatten() {
-        let inside = (0..3).all(|i| {
-            orient2d(coord(ring[i]), coord(ring[(i + 1) % 3]), coord(*end)) > 0.0
-        });
+        let inside =
+            (0..3).all(|i| orient2d(coord(ring[i]), coord(ring[(i + 1) % 3]), coord(*end)) > 0.0);
         assert!(!inside, "{end} is inside");
         let near = (0..3).any(|i| {
             let (a, b) = (ring[i], ring[(i + 1) % 3]);

@@ -36,7 +36,9 @@ impl Cover {
         };
         let whole: Option<Vec<[u32; 2]>> = ring.iter().map(edge).collect();
         match whole {
-            Some(edges) if (0..edges.len()).all(|i| edges[i][1] == edges[(i + 1) % edges.len()][0]) => {
+            Some(edges)
+                if (0..edges.len()).all(|i| edges[i][1] == edges[(i + 1) % edges.len()][0]) =>
+            {
                 self.edges.extend(edges);
             }
             _ => self.rings.push(ring),

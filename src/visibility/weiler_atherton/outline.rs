@@ -5,9 +5,7 @@
 //! line, so their names are as deep as those of any other crossing.
 
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{
-    Chart, Cut, ImageLine, ImagePoint, Point, Policy, Predicates,
-};
+use crate::kernel::predicates::{Chart, Cut, ImageLine, ImagePoint, Point, Policy, Predicates};
 use crate::polygon::clipping::{Corner, Ring};
 
 /// How a triangle lies to the near plane.

@@ -116,8 +116,14 @@ fn polygons_that_overlap_alternately() {
     let u = |height: [f64; 2]| -> Vec<DVec3> {
         let at = |x: f64, y: f64| dvec3(x, y, height[0] + (height[1] - height[0]) * x / 4.0);
         vec![
-            at(0.0, 0.0), at(4.0, 0.0), at(4.0, 4.0), at(3.0, 4.0),
-            at(3.0, 1.0), at(1.0, 1.0), at(1.0, 4.0), at(0.0, 4.0),
+            at(0.0, 0.0),
+            at(4.0, 0.0),
+            at(4.0, 4.0),
+            at(3.0, 4.0),
+            at(3.0, 1.0),
+            at(1.0, 1.0),
+            at(1.0, 4.0),
+            at(0.0, 4.0),
         ]
     };
     let first = u([0.0, 4.0]);
@@ -130,8 +136,12 @@ fn polygons_that_overlap_alternately() {
 #[test]
 fn faces_end_at_the_near_plane() {
     // A floor that goes on behind the eye, and a wall that stands on it.
-    let floor =
-        [dvec3(-9.0, -9.0, 0.0), dvec3(9.0, -9.0, 0.0), dvec3(9.0, 9.0, 0.0), dvec3(-9.0, 9.0, 0.0)];
+    let floor = [
+        dvec3(-9.0, -9.0, 0.0),
+        dvec3(9.0, -9.0, 0.0),
+        dvec3(9.0, 9.0, 0.0),
+        dvec3(-9.0, 9.0, 0.0),
+    ];
     let wall =
         [dvec3(-1.0, 4.0, 0.0), dvec3(1.0, 4.0, 0.0), dvec3(1.0, 4.0, 2.0), dvec3(-1.0, 4.0, 2.0)];
     let camera = Camera::Perspective {
