@@ -87,6 +87,9 @@ pub struct RegionReport {
     pub near_faces: bool,
     /// Samples.
     pub owner: RegionTally,
+    /// Samples on an edge of the triangle that they see, where it ties with
+    /// one that is seen beside the edge.
+    pub samples_on_edges: u64,
     /// Pieces of lines.
     pub border: RegionTally,
     /// Pieces that differ as they should.
@@ -120,6 +123,7 @@ impl RegionReport {
         add(&mut self.area, other.area);
         add(&mut self.owner, other.owner);
         add(&mut self.border, other.border);
+        self.samples_on_edges += other.samples_on_edges;
         self.surplus.faceless += other.surplus.faceless;
         self.surplus.on_other_face += other.surplus.on_other_face;
         self.surplus.below_other_line += other.surplus.below_other_line;
@@ -137,6 +141,9 @@ impl fmt::Display for RegionReport {
         let rows = [("area", self.area), ("owner", self.owner), ("border", self.border)];
         for (name, tally) in rows {
             writeln!(f, "{name:<7} {:>10} {:>10}", tally.agree, tally.differ)?;
+        }
+        if self.samples_on_edges > 0 {
+            writeln!(f, "owner: besides, {} samples on edges", self.samples_on_edges)?;
         }
         let Surplus { faceless, on_other_face, below_other_line } = self.surplus;
         writeln!(
@@ -271,15 +278,18 @@ fn check_owners<P: Policy>(
                 let Some(triangle) = buffer.item(column, row) else {
                     continue;
                 };
-                let sample = ImagePoint::Vertex(sampled.vertex([column, row]));
+                let vertex = sampled.vertex([column, row]);
+                let sample = ImagePoint::Vertex(vertex);
                 let owner = regions.of_triangle(triangle);
                 if owner.is_some_and(|region| contains(&predicates, &chart, region, sample)) {
                     report.owner.agree += 1;
+                } else if is_on_edge(&predicates, sampled.triangle(triangle).0, vertex) {
+                    report.samples_on_edges += 1;
                 } else {
                     report.owner.differ += 1;
                     report.describe(format!(
-                        "owner: sample {column} {row} sees triangle {triangle}, its region does not \
-                         contain it"
+                        "owner: sample {column} {row} sees triangle {triangle}, its region does \
+                         not contain it"
                     ));
                 }
             }
@@ -291,6 +301,12 @@ fn check_owners<P: Policy>(
         report.append(part?);
     }
     Ok(report)
+}
+
+/// Whether a sample lies on an edge of a triangle. There another face may be
+/// as near, which is seen beside the edge.
+fn is_on_edge<P: Policy>(predicates: &Predicates<'_, P>, [a, b, c]: [u32; 3], x: u32) -> bool {
+    [(a, b), (b, c), (c, a)].into_iter().any(|(p, q)| predicates.side(p, q, x).is_zero())
 }
 
 /// Whether a region contains a point or has it on its border: an odd number
