@@ -171,7 +171,7 @@ fn write(root: &Path, name: &str, drawing: &Drawing) -> Result<(), Box<dyn Error
 }
 
 fn hatch(picture: &Picture) -> Option<Hatch> {
-    let spacing = Length::from_millimetres(picture.hatch);
+    let spacing: Length = format!("{}mm", picture.hatch).parse().ok()?;
     (picture.hatch > 0.0).then(|| Hatch { spacing, ..Hatch::default() })
 }
 
