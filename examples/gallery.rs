@@ -7,25 +7,29 @@
 
 #![allow(clippy::print_stdout)]
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::Path;
 use std::str::FromStr;
 use umriss::drawing::{
-    Drawing, DrawingOptions, Effort, Preset, Styles, Weight, matches, read_styles,
+    Content, Drawing, DrawingOptions, Effort, Fill, FilledShape, Hatch, Layer, LayerTags,
+    LineStyle, Preset, Strokes, Styles, SurfaceOptions, Weight, matches, read_styles,
 };
 use umriss::export::{SvgOptions, to_png, to_svg, write_file};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{
-    Camera, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, View, import,
+    Camera, Color, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, View, import,
 };
+use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
-use umriss::view::{ObjectWish, PreparedView};
-use umriss::visibility::{AppelOptions, appel, reduce_with_crossings};
+use umriss::view::{ImageRegions, ObjectWish, PreparedView};
+use umriss::visibility::{
+    AppelOptions, RegionOptions, appel, image_regions, reduce_with_crossings, visible_regions,
+};
 
 /// Name, model and flags of every drawing.
-const GALLERY: [(&str, &str, &str); 27] = [
+const GALLERY: [(&str, &str, &str); 33] = [
     ("teapot", "teapot.obj", "--direction -0.35,-0.45,-0.8 --up 0,1,0 --style fine.toml"),
     ("spot", "spot.obj", "--direction 0.8,-0.35,0.75 --up 0,1,0 --crease 20 --style fine.toml"),
     ("spot-mesh", "spot.obj", "--direction 0.9,-0.4,0.8 --up 0,1,0 --edges ALL --style fine.toml"),
@@ -86,6 +90,37 @@ const GALLERY: [(&str, &str, &str); 27] = [
         "assimp_spider.obj",
         "--direction -0.6,0.7,-0.8 --up 0,1,0 --weight 0.8..0.1mm --halo 0.8mm",
     ),
+    // What is seen of the surfaces, filled or hatched.
+    (
+        "teapot-shaded",
+        "teapot.obj",
+        "--direction -0.35,-0.45,-0.8 --up 0,1,0 --fill shade --style fine.toml",
+    ),
+    (
+        "city-shaded",
+        "voxel_city.obj",
+        "--eye -9,-13,12 --target 12,12,1 --fov 50 --fill shade --hatch shade --hatch-spacing 0.8mm --style fine.toml",
+    ),
+    (
+        "gear-hatched",
+        "gear64.obj",
+        "--view iso --hatch shade --hatch-spacing 0.6mm --style fine.toml",
+    ),
+    (
+        "spot-hatched",
+        "spot.obj",
+        "--direction 0.8,-0.35,0.75 --up 0,1,0 --crease 60 --hatch shade --hatch-spacing 0.5mm --style fine.toml",
+    ),
+    (
+        "three-bars",
+        "three_bars.obj",
+        "--view top --fill shade --hatch shade --hatch-spacing 0.8mm --style fine.toml",
+    ),
+    (
+        "plates-with-holes",
+        "plates_with_holes.json",
+        "--view iso --fill flat --hatch shade --hatch-spacing 0.8mm --style fine.toml",
+    ),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -97,6 +132,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             let pieces = draw(root, name, model, &flags)?;
             println!("{name:<16} {pieces:>6} pieces   {}", flags.command(name, model));
         }
+    }
+    if wanted.is_empty() || wanted.iter().any(|one| one == "clip") {
+        draw_clip(root)?;
+        println!("clip");
     }
     Ok(())
 }
@@ -112,13 +151,73 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     let question = prepared.question(flags.get("hidden").is_some());
     let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
     let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, &run)?;
-    let mut drawing = Drawing::styled(&lines, &crossings, &options, &styles)?;
+    let surfaces = flags.surfaces()?;
+    let regions = match surfaces == SurfaceOptions::default() {
+        true => ImageRegions::default(),
+        false => {
+            let regions = visible_regions::<Exact>(&question, &RegionOptions::default(), &run)?;
+            image_regions(&question, &regions)?
+        }
+    };
+    let content = Content { lines: &lines, crossings: &crossings, regions: &regions };
+    let mut drawing = Drawing::of(&content, &options, &styles, &surfaces)?;
     drawing.order(flags.effort()?);
-    let svg = to_svg(&drawing, &SvgOptions::default())?;
+    write(root, name, &drawing)?;
+    Ok(lines.pieces.len())
+}
+
+fn write(root: &Path, name: &str, drawing: &Drawing) -> Result<(), Box<dyn Error>> {
+    let svg = to_svg(drawing, &SvgOptions::default())?;
     let file = root.join("output").join(name);
     write_file(&file.with_extension("svg"), svg.as_bytes())?;
     write_file(&file.with_extension("png"), &to_png(&svg, 1000)?)?;
-    Ok(lines.pieces.len())
+    Ok(())
+}
+
+/// Two polygons that meet in every degenerate way, and what they have in
+/// common, what either has alone: edges on edges, in the same sense and
+/// against it, corners on corners, corners on edges, holes that touch.
+fn draw_clip(root: &Path) -> Result<(), Box<dyn Error>> {
+    let ring = |corners: &[[i32; 2]]| -> Vec<DVec2> {
+        corners.iter().map(|[x, y]| DVec2::new(f64::from(*x), f64::from(*y))).collect()
+    };
+    let first = [
+        ring(&[[0, 0], [16, 0], [16, 8], [20, 12], [16, 16], [8, 16], [8, 20], [0, 20]]),
+        ring(&[[2, 2], [6, 2], [6, 6], [2, 6]]),
+        ring(&[[10, 4], [14, 4], [12, 8]]),
+    ];
+    let second = [
+        ring(&[[4, 4], [12, 4], [16, 4], [24, 4], [24, 8], [16, 8], [24, 16], [8, 16], [4, 20]]),
+        // A hole on an edge of the first's hole, and one on its corner.
+        ring(&[[6, 6], [6, 9], [9, 9], [9, 6]]),
+        ring(&[[12, 8], [11, 11], [13, 11]]),
+    ];
+    let shape = |rings: &[Vec<DVec2>]| PlaneShape::new(&[rings.to_vec()], FillRule::EvenOdd);
+    let (one, other) = (shape(&first)?, shape(&second)?);
+    let place = |point: DVec2| DVec2::new(20.0 + 4.6 * point.x, 120.0 - 4.6 * point.y);
+    let placed = |ring: &Vec<DVec2>| -> Vec<DVec2> { ring.iter().map(|&p| place(p)).collect() };
+    let area = |operation, shapes: &[&PlaneShape], color| -> Result<FilledShape, Box<dyn Error>> {
+        let rounded = PlaneShape::operation(operation, shapes)?.rounded()?;
+        Ok(FilledShape { color, rings: rounded.polygons.iter().flatten().map(placed).collect() })
+    };
+    let fills = vec![
+        area(Operation::Difference, &[&one, &other], Color([222, 196, 140]))?,
+        area(Operation::Difference, &[&other, &one], Color([150, 184, 214]))?,
+        area(Operation::Intersection, &[&one, &other], Color([122, 160, 110]))?,
+    ];
+    let layer = |number: u32, rings: &[Vec<DVec2>], width, color| {
+        let mut strokes = Strokes::default();
+        rings.iter().map(placed).for_each(|ring| {
+            strokes.push(ring.iter().chain(ring.first()).copied());
+        });
+        let style = LineStyle { width, color };
+        Layer { number, label: number.to_string(), style, strokes, tags: LayerTags::default() }
+    };
+    let layers = vec![
+        layer(1, &first, 0.9, Color([150, 90, 20])),
+        layer(2, &second, 0.35, Color([20, 60, 140])),
+    ];
+    write(root, "clip", &Drawing { size: DVec2::new(150.0, 140.0), scale: 1.0, layers, fills })
 }
 
 /// The flags of a command by their names.
@@ -177,6 +276,22 @@ impl Flags {
             weight: weight.map(|weight| Weight { steps, ..weight }).or(base.weight),
             ..base
         })
+    }
+
+    fn surfaces(&self) -> Result<SurfaceOptions, Box<dyn Error>> {
+        let fill = match self.get("fill") {
+            Some("flat") => Fill::Flat,
+            Some("shade") => Fill::Shade,
+            _ => Fill::None,
+        };
+        let hatch = match self.get("hatch") {
+            None => None,
+            Some(_) => Some(Hatch {
+                spacing: self.parse("hatch-spacing", Hatch::default().spacing)?,
+                ..Hatch::default()
+            }),
+        };
+        Ok(SurfaceOptions { fill, hatch, light: None })
     }
 
     fn effort(&self) -> Result<Effort, Box<dyn Error>> {

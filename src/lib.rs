@@ -15,10 +15,11 @@
 //! - [`fill`]: fills of polygons, letters and patterns, as pixels.
 //! - [`model`]: files, meshes, scenes, feature edges.
 //! - [`view`]: the contract between models, methods and drawings.
-//! - [`visibility`]: the object-space methods (Roberts, Appel).
+//! - [`visibility`]: the object-space methods (Roberts, Appel; Weiler and
+//!   Atherton for what is seen of each face).
 //! - [`raster`]: the image-space references (ray casting, z-buffer, scan
 //!   lines, Warnock's windows).
-//! - [`drawing`]: pages, layers, dashes, polylines.
+//! - [`drawing`]: pages, layers, dashes, polylines, fills, hatches.
 //! - [`export`]: SVG, HPGL, JSON, PNG.
 //! - [`verify`]: every method against the others.
 

@@ -15,9 +15,11 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use umriss::kernel::numbers::Sign;
 use umriss::kernel::predicates::{Exact, Eye, Points, Predicates};
-use umriss::model::{Camera, FeatureOptions, Mesh, Scene, SceneOptions, StandardView, import};
+use umriss::model::{
+    Camera, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, import,
+};
 use umriss::run::Run;
-use umriss::verify::{VerifyOptions, verify};
+use umriss::verify::{RegionVerifyOptions, VerifyOptions, verify, verify_regions};
 use umriss::view::PreparedView;
 use umriss::visibility::{AppelOptions, appel};
 
@@ -76,6 +78,17 @@ fn check_folder(folder: &Path, largest: usize) -> Outcome<usize> {
             let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
             let options = VerifyOptions { image_size: 256, ..VerifyOptions::default() };
             let report = verify::<Exact>(&view, &question, &answer, &options, &run)?;
+            // Borders of regions are all edges, smooth ones too.
+            let options = FeatureOptions::default().with_classes(&LineClass::ALL);
+            let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, &run)?;
+            let question = prepared.question(false);
+            let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
+            let options = RegionVerifyOptions { image_size: 64, ..RegionVerifyOptions::default() };
+            let regions = verify_regions::<Exact>(&view, &question, &answer, &options, &run)?;
+            if !regions.is_clean() {
+                println!("{} {name}:\n{regions}", file.display());
+                failed.push(format!("regions of {} {name}", file.display()));
+            }
             checked += 1;
             if !report.is_clean() {
                 println!("{} {name}:\n{report}", file.display());

@@ -41,6 +41,9 @@ pub enum DrawingError {
         /// What is wrong.
         message: String,
     },
+    /// A hatch too fine to be one.
+    #[error("hatch lines {0} mm apart; expected at least 0.02 mm")]
+    HatchSpacing(f64),
     /// A word that is none of the words expected.
     #[error("`{word}` is no choice here; expected {expected}")]
     Choice {

@@ -25,6 +25,9 @@
 //! 6. `ordering`, on request: the order and the sense in which a pen draws its
 //!    strokes; `statistics` says how far it goes.
 //!
+//! Where regions are given too, `surfaces` fills what is seen of a face and
+//! `hatching` covers it with lines.
+//!
 //! `cutting`, on request too, cuts strokes to what a plotter reaches.
 //!
 //! Nothing is decided here: which parts of a line are seen is settled, and
@@ -38,6 +41,7 @@ mod dash;
 mod dashing;
 mod error;
 mod haloing;
+mod hatching;
 mod joints;
 mod layering;
 mod length;
@@ -55,15 +59,17 @@ mod strokes;
 #[cfg(feature = "devices")]
 mod style_file;
 mod styles;
+mod surfaces;
 mod weight;
 mod window;
 
 pub use dash::Dash;
 pub use error::DrawingError;
+pub use hatching::{Hatch, HatchAnchor, HatchTone};
 pub use length::Length;
 pub use options::{DrawingOptions, Hidden, HiddenBy, Join, LayerBy};
 pub use ordering::Effort;
-pub use page::{Drawing, Layer, LayerTags, LineStyle};
+pub use page::{Content, Drawing, Layer, LayerTags, LineStyle};
 pub use paper::Paper;
 pub use preset::Preset;
 pub use scale::Scale;
@@ -72,5 +78,6 @@ pub use strokes::{Strokes, is_closed};
 #[cfg(feature = "devices")]
 pub use style_file::read_styles;
 pub use styles::{LineRule, ObjectRule, Styles, matches};
+pub use surfaces::{Fill, FilledShape, SurfaceOptions};
 pub use weight::{Weight, WeightBy};
 pub use window::Window;

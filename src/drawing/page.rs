@@ -4,15 +4,19 @@ use super::chaining::chain;
 use super::cropping::crop;
 use super::dashing::dashed;
 use super::haloing::interrupt;
+use super::hatching::hatches;
 use super::layering::{LayerPlan, Layering};
 use super::merging::segments;
 use super::placement::Placement;
 use super::smoothing::{Smoothing, smooth};
+use super::surfaces::{Light, crop_regions, fills};
 use super::weight::Weights;
-use super::{Dash, DrawingError, DrawingOptions, Join, Strokes, Styles};
+use super::{
+    Dash, DrawingError, DrawingOptions, FilledShape, Join, Strokes, Styles, SurfaceOptions,
+};
 use crate::model::Color;
 use crate::run::map_indexed;
-use crate::view::{Crossing, LineClass, VisibleLines};
+use crate::view::{Crossing, ImageRegions, LineClass, VisibleLines};
 use glam::DVec2;
 use std::borrow::Cow;
 
@@ -26,6 +30,19 @@ pub struct Drawing {
     /// The layers in the order in which they are painted: hidden ones first,
     /// so that visible lines lie on top. Layers without a stroke are left out.
     pub layers: Vec<Layer>,
+    /// Areas below all layers, in the order in which they are painted.
+    pub fills: Vec<FilledShape>,
+}
+
+/// What is laid out on a page.
+#[derive(Debug, Clone, Copy)]
+pub struct Content<'a> {
+    /// The lines.
+    pub lines: &'a VisibleLines,
+    /// Which of them passes in front of which; without, there are no halos.
+    pub crossings: &'a [Crossing],
+    /// What is seen of the surfaces.
+    pub regions: &'a ImageRegions,
 }
 
 /// What all strokes of a layer have in common, as far as layers tell it apart.
@@ -96,6 +113,39 @@ impl Drawing {
         options: &DrawingOptions,
         styles: &Styles,
     ) -> Result<Self, DrawingError> {
+        let content = Content { lines, crossings, regions: &ImageRegions::default() };
+        Self::of(&content, options, styles, &SurfaceOptions::default())
+    }
+
+    /// As [`Drawing::new`], and below the lines what is seen of the surfaces:
+    /// filled, hatched, or both. A hatch has a layer of its own.
+    ///
+    /// # Errors
+    ///
+    /// As [`Drawing::new`]; and if the hatch is too fine to be one.
+    pub fn with_regions(
+        lines: &VisibleLines,
+        regions: &ImageRegions,
+        surfaces: &SurfaceOptions,
+        options: &DrawingOptions,
+    ) -> Result<Self, DrawingError> {
+        let content = Content { lines, crossings: &[], regions };
+        Self::of(&content, options, &Styles::default(), surfaces)
+    }
+
+    /// Lays out everything.
+    ///
+    /// # Errors
+    ///
+    /// As [`Drawing::with_regions`].
+    pub fn of(
+        content: &Content<'_>,
+        options: &DrawingOptions,
+        styles: &Styles,
+        surfaces: &SurfaceOptions,
+    ) -> Result<Self, DrawingError> {
+        let Content { lines, crossings, regions } = *content;
+        let regions = &*crop_regions(lines, regions, options)?;
         let weights = options.weight.map(|weight| Weights::new(lines, &weight));
         let layering = Layering { options, styles, weights: weights.as_ref() };
         let mut drawn = crop(lines, options)?;
@@ -106,7 +156,7 @@ impl Drawing {
         if let Some(width) = asked.into_iter().chain(widths).find(|w| !PEN_WIDTHS.contains(w)) {
             return Err(DrawingError::PenWidth(width));
         }
-        let placement = Placement::new(&drawn, &plans, options)?;
+        let placement = Placement::new(&drawn, &plans, regions, options)?;
         let radius = 0.5 * options.halo.millimetres() / placement.scale;
         if 0.0 < radius && !crossings.is_empty() {
             let seen: Vec<bool> = lines.pieces.iter().map(|piece| layering.draws(piece)).collect();
@@ -126,8 +176,18 @@ impl Drawing {
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
         let finished = plans.iter().zip(solid).map(|(plan, solid)| finish(plan, solid));
-        let layers = finished.filter(|layer| !layer.strokes.is_empty()).collect();
-        Ok(Drawing { size: placement.size, scale: placement.scale, layers })
+        let light = Light::new(&lines.frame, surfaces);
+        let place = |point| placement.apply(point);
+        let mut hatched = Vec::new();
+        if let Some(hatch) = &surfaces.hatch {
+            let mut strokes = hatches(regions, light, hatch, placement.size, &place)?;
+            strokes.retain_longer(options.min_length.millimetres());
+            hatched.push(hatch_layer(strokes, &plans, options));
+        }
+        let layers = hatched.into_iter().chain(finished);
+        let layers = layers.filter(|layer| !layer.strokes.is_empty()).collect();
+        let fills = fills(regions, light, surfaces.fill, place);
+        Ok(Drawing { size: placement.size, scale: placement.scale, layers, fills })
     }
 
     /// The same drawing with polylines nowhere farther than `flatness`
@@ -171,6 +231,15 @@ fn join(
     };
     strokes.retain_longer(options.min_length.millimetres());
     strokes
+}
+
+/// The layer of a hatch: after all others in number, below them on paper.
+fn hatch_layer(strokes: Strokes, plans: &[LayerPlan], options: &DrawingOptions) -> Layer {
+    // Hidden lines have the second layer even where there are none.
+    let number = plans.iter().map(|plan| plan.number).fold(2, u32::max) + 1;
+    let style = LineStyle { width: options.hidden_width, color: Color([0; 3]) };
+    let label = format!("{number}-hatch");
+    Layer { number, label, style, strokes, tags: LayerTags::default() }
 }
 
 /// A layer of joined strokes in its style.

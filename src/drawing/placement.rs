@@ -3,7 +3,7 @@
 use super::layering::LayerPlan;
 use super::paper::LONGEST;
 use super::{DrawingError, DrawingOptions, Paper, Scale};
-use crate::view::{Projection, VisibleLines};
+use crate::view::{ImageRegions, Projection, VisibleLines};
 use glam::DVec2;
 
 /// The shortest side of tight paper, mm: a page of nothing is no page.
@@ -29,9 +29,10 @@ impl Placement {
     pub(super) fn new(
         lines: &VisibleLines,
         plans: &[LayerPlan],
+        regions: &ImageRegions,
         options: &DrawingOptions,
     ) -> Result<Self, DrawingError> {
-        let (low, high) = match (bounds(lines, plans)?, options.window) {
+        let (low, high) = match (bounds(lines, plans, regions)?, options.window) {
             (_, Some(window)) => (window.low(), window.high()),
             (bounds, None) => bounds,
         };
@@ -89,8 +90,13 @@ impl Placement {
     }
 }
 
-/// The box of all drawn pieces; a point if there are none.
-fn bounds(lines: &VisibleLines, plans: &[LayerPlan]) -> Result<(DVec2, DVec2), DrawingError> {
+/// The box of all drawn pieces and of regions, whose points are finite; a
+/// point if there are none.
+fn bounds(
+    lines: &VisibleLines,
+    plans: &[LayerPlan],
+    regions: &ImageRegions,
+) -> Result<(DVec2, DVec2), DrawingError> {
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for index in plans.iter().flat_map(|plan| &plan.pieces) {
         for point in lines.pieces[*index as usize].points {
@@ -102,7 +108,11 @@ fn bounds(lines: &VisibleLines, plans: &[LayerPlan]) -> Result<(DVec2, DVec2), D
             high = high.max(point);
         }
     }
-    if plans.is_empty() {
+    for point in regions.regions.iter().flat_map(|region| &region.polygons).flatten().flatten() {
+        low = low.min(*point);
+        high = high.max(*point);
+    }
+    if low.x > high.x {
         return Ok((DVec2::ZERO, DVec2::ZERO));
     }
     if (high - low).is_finite() { Ok((low, high)) } else { Err(DrawingError::NotFinite) }

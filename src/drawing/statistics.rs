@@ -79,7 +79,12 @@ mod tests {
             strokes,
             tags: LayerTags::default(),
         };
-        let drawing = Drawing { size: DVec2::splat(100.0), scale: 1.0, layers: vec![layer] };
+        let drawing = Drawing {
+            size: DVec2::splat(100.0),
+            scale: 1.0,
+            layers: vec![layer],
+            fills: Vec::new(),
+        };
         let sum = PenStatistics::of(&drawing);
         assert_eq!(sum, PenStatistics { strokes: 2, pens: 1, drawn: 60.0, pen_up: 30.0 });
         let speeds = Speeds { down: 60.0, up: 300.0, lift: 0.5, change: 2.0 };

@@ -29,6 +29,10 @@ use glam::DVec2;
 /// How many strokes are written by one piece of work.
 const CHUNK: usize = 4096;
 
+/// Width of the hairline around an area, mm: it covers the seam that
+/// renderers leave between two areas that share a border.
+const SEAM: f64 = 0.1;
+
 /// How an SVG is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SvgOptions {
@@ -82,6 +86,9 @@ pub fn to_svg(drawing: &Drawing, options: &SvgOptions) -> Result<String, ExportE
         .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
         .add(metadata(options));
     let mut ids = Vec::new();
+    if !drawing.fills.is_empty() {
+        document = document.add(fills(drawing, grid));
+    }
     for layer in &drawing.layers {
         let group = match options.profile {
             SvgProfile::Plot => group(layer, grid),
@@ -92,6 +99,35 @@ pub fn to_svg(drawing: &Drawing, options: &SvgOptions) -> Result<String, ExportE
     let mut text = document.to_string();
     text.push('\n');
     Ok(text)
+}
+
+/// All areas, one path for each colour, in a layer of their own.
+fn fills(drawing: &Drawing, grid: DecimalGrid) -> Group {
+    let group = Group::new()
+        .set("id", "fill")
+        .set("inkscape:groupmode", "layer")
+        .set("inkscape:label", "0-fill")
+        .set("stroke-width", SEAM)
+        .set("stroke-linejoin", "round");
+    drawing.fills.iter().fold(group, |group, shape| {
+        let [red, green, blue] = shape.color.0;
+        let color = format!("#{red:02x}{green:02x}{blue:02x}");
+        let path = Path::new().set("fill", color.clone()).set("stroke", color);
+        group.add(path.set("d", ring_data(&shape.rings, grid)))
+    })
+}
+
+/// Closed rings as subpaths.
+fn ring_data(rings: &[Vec<DVec2>], grid: DecimalGrid) -> String {
+    let chunks = map_chunks(rings.len(), CHUNK, |range| {
+        let (mut text, mut rounded) = (String::new(), Vec::new());
+        for ring in &rings[range] {
+            let closed: Vec<DVec2> = ring.iter().chain(ring.first()).copied().collect();
+            push_stroke(&mut text, &closed, grid, &mut rounded);
+        }
+        text
+    });
+    chunks.concat()
 }
 
 fn group(layer: &Layer, grid: DecimalGrid) -> Group {

@@ -14,18 +14,21 @@
 //!   are left out and counted.
 //!
 //! The first three are exact: one difference is one defect. [`cross_check()`]
-//! holds the image-space methods against each other, exactly too.
+//! holds the image-space methods against each other, exactly too, and
+//! [`verify_regions`] what is seen of faces against images and lines.
 
 mod against_image;
 mod against_judge;
 mod cover;
 mod cross_check;
 mod places;
+mod regions;
 mod report;
 #[cfg(test)]
 mod tests;
 
 pub use cross_check::{Comparison, CrossCheck, cross_check};
+pub use regions::{RegionReport, RegionTally, RegionVerifyOptions, Surplus, verify_regions};
 pub use report::{Check, Difference, DifferenceSegment, Report, Tally};
 
 use crate::kernel::predicates::Policy;

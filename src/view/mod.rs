@@ -1,11 +1,12 @@
 //! The contract between models, methods and drawings: what a method is
 //! asked ([`LineQuestion`]) and what it answers ([`ExactLines`], rounded
-//! and reduced to [`VisibleLines`]).
+//! and reduced to [`VisibleLines`]), or [`VisibleRegions`].
 
 mod crossing;
 mod exact_lines;
 mod prepare;
 mod question;
+mod regions;
 mod visible_lines;
 mod wishes;
 
@@ -14,5 +15,6 @@ pub use crossing::Crossing;
 pub use exact_lines::{ExactLines, ExactPiece};
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};
+pub use regions::{ImageRegion, ImageRegions, Region, VisibleRegions};
 pub use visible_lines::{LinePiece, LineSource, VisibleLines};
 pub use wishes::ObjectWish;

@@ -2,14 +2,19 @@
 //!
 //! [`appel`] is the product, [`roberts`] the judge; neither imports the
 //! other. [`reduce`] turns their common answer into the lines of a drawing.
-//! [`visible_lines`] does it all.
+//! [`visible_lines`] does it all. [`visible_regions`] finds what is seen of
+//! each face.
 
 mod appel;
 mod reduce;
 mod roberts;
 mod visible_lines;
+mod weiler_atherton;
 
 pub use appel::{AppelOptions, Fault, appel};
 pub use reduce::{reduce, reduce_with_crossings};
 pub use roberts::roberts;
 pub use visible_lines::visible_lines;
+pub use weiler_atherton::{
+    RegionFault, RegionOptions, RegionsError, image_regions, region_lines, visible_regions,
+};

@@ -6,7 +6,8 @@
 //! coincide (`reduction`), what passes in front (`passing`), what hides
 //! nothing (`see_through`), what must not matter (`invariances`, `threads`),
 //! and scenes that break floating-point programs, looked at once and
-//! compared whole ever since (`degenerate`).
+//! compared whole ever since (`degenerate`), and what is seen of faces
+//! (`regions`).
 //!
 //! Random scenes come from seeds, which every failure names. `UMRISS_LONG=1`
 //! runs a hundred times as many.
@@ -20,6 +21,7 @@ mod intersections;
 mod invariances;
 mod passing;
 mod reduction;
+mod regions;
 mod scenes;
 mod see_through;
 #[cfg(all(feature = "json", feature = "svg", feature = "parallel"))]

@@ -9,6 +9,7 @@ mod refusals;
 mod restyling;
 mod strokes;
 mod styles;
+mod surfaces;
 #[path = "../fill/tiny_font.rs"]
 mod tiny_font;
 
@@ -277,6 +278,11 @@ fn a_drawing_is_proved_and_the_differences_of_a_broken_one_are_shown() {
     let errors = String::from_utf8(result.stderr).unwrap();
     assert_eq!(errors, "umriss: the checks differ: expected no difference\n");
     assert_eq!(result.status.code(), Some(1));
+    assert!(told.lines().any(|line| line.starts_with("border ") && line.ends_with(" 0")));
+    let mut forgetful = folder.command("verify cube.obj --break forget-occluder");
+    let forgetful = forgetful.output().unwrap();
+    assert_eq!(forgetful.status.code(), Some(1));
+    assert!(String::from_utf8(forgetful.stdout).unwrap().contains("\narea: ["));
     let pictures = ["clean.png", "broken.png"].map(|name| folder.bytes(name));
     assert!(pictures.iter().all(|bytes| bytes.starts_with(b"\x89PNG")));
     assert!(pictures[0] != pictures[1]);

@@ -31,7 +31,8 @@ fn command_lines_that_make_no_sense_end_with_two() {
         ),
         (
             "draw cube.obj -o a.svg --method painter",
-            "--method painter: this build has no such method, expected appel or roberts\n",
+            "--method painter: this build has no such method, expected appel, roberts or \
+             weiler-atherton\n",
         ),
         (
             "raster cube.obj -o a.svg --show splits",

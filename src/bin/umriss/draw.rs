@@ -13,15 +13,18 @@ use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
 use crate::stroke_flags::StrokeFlags;
 use crate::style_flags::StyleFlags;
+use crate::surface_flags::SurfaceFlags;
 use clap::Args;
 use std::path::PathBuf;
-use umriss::drawing::{Drawing, DrawingOptions, Hidden, Preset, Styles};
+use umriss::drawing::{Content, Drawing, DrawingOptions, Hidden, Preset, Styles};
 use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Scene, Soup};
 use umriss::run::Run;
-use umriss::view::{Crossing, PreparedView, VisibleLines};
-use umriss::visibility::{reduce, reduce_with_crossings};
+use umriss::view::{Crossing, ImageRegions, PreparedView, VisibleLines};
+use umriss::visibility::{
+    RegionOptions, image_regions, reduce, reduce_with_crossings, visible_regions,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -30,6 +33,8 @@ Examples:
   umriss draw part.glb -o part.hpgl --paper a3 --landscape --scale 1:2
   umriss draw part.stl -o part.hpgl --device hp7475a --margin 16mm --order best --speed 10
   umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
+  umriss draw part.obj -o part.svg --fill shade --light -1,-2,3
+  umriss draw part.stl -o part.hpgl -o part.svg --hatch shade --hatch-spacing 0.8mm
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
   umriss draw part.obj -o part.svg --halo 0.8mm --weight 0.7..0.18mm
@@ -43,6 +48,10 @@ computed with --hidden";
 const NO_CROSSINGS: &str = "\
 the drawing was computed without its crossings: expected no --halo, or a drawing that was computed \
 with --halo";
+
+const OPAQUE_ONLY: &str = "\
+objects are seen through by lines only: expected no --see-through with --fill, --hatch or --method \
+weiler-atherton";
 
 /// Draw models without their hidden lines.
 ///
@@ -69,6 +78,8 @@ pub(crate) struct Draw {
     #[arg(long, value_enum, value_name = "M", help_heading = "Lines")]
     method: Option<Method>,
     #[command(flatten)]
+    surfaces: SurfaceFlags,
+    #[command(flatten)]
     page: PageFlags,
     #[command(flatten)]
     style: StyleFlags,
@@ -86,7 +97,6 @@ impl Draw {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let outputs = self.outputs.plan()?;
-        self.method.map_or(Ok(()), Method::check)?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
@@ -94,12 +104,15 @@ impl Draw {
 
     fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
         let hidden = self.options(&DrawingNotes::default()).hidden != Hidden::None;
+        self.method.map_or(Ok(()), |method| method.check(hidden))?;
         let styles = self.style.styles()?;
         let select = |soups: &mut Vec<Soup>| self.objects.select(soups, &styles);
         let subject = read_subject(&self.models, &self.model, &select, &self.session, run)?;
+        let mut regions = ImageRegions::default();
         let (lines, notes) = match subject {
             Subject::Scene(scene) => {
-                let (lines, crossings) = self.find_lines(&scene, hidden, &styles, run)?;
+                let (lines, crossings);
+                (lines, crossings, regions) = self.find(&scene, hidden, &styles, run)?;
                 let (unit, hidden) = (Some(scene.unit), Some(hidden));
                 (lines, DrawingNotes { unit, hidden, crossings })
             }
@@ -119,7 +132,9 @@ impl Draw {
         let pieces = lines.pieces.len() as u64;
         let options = self.options(&notes);
         let crossings = notes.crossings.as_deref().unwrap_or_default();
-        let page = || Drawing::styled(&lines, crossings, &options, &styles);
+        let content = Content { lines: &lines, crossings, regions: &regions };
+        let surfaces = self.surfaces.options();
+        let page = || Drawing::of(&content, &options, &styles, &surfaces);
         let mut drawing = run.stage("page", pieces, page)?;
         let effort = self.style.preset.map(Preset::effort).unwrap_or_default();
         self.pen.apply(&mut drawing, effort, plotter, &self.session, run);
@@ -132,23 +147,40 @@ impl Draw {
         self.style.apply(self.strokes.apply(page))
     }
 
-    fn find_lines(
+    /// The lines, their crossings if these are wanted, and what is seen of
+    /// the surfaces if that is drawn.
+    fn find(
         &self,
         scene: &Scene,
         hidden: bool,
         styles: &Styles,
         run: &Run<'_>,
-    ) -> Result<(VisibleLines, Option<Vec<Crossing>>), Failure> {
+    ) -> Result<(VisibleLines, Option<Vec<Crossing>>, ImageRegions), Failure> {
         let view = self.camera.view(&scene.mesh)?;
         let wishes = self.objects.wishes(&scene.mesh, &self.lines.options(), styles);
+        let method = self.method.unwrap_or(Method::Appel);
+        let opaque_only = self.surfaces.any() || method == Method::WeilerAtherton;
+        if opaque_only && wishes.iter().any(|wish| wish.see_through) {
+            return Err(Failure::usage(OPAQUE_ONLY));
+        }
         let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(hidden);
-        let answer = self.method.unwrap_or(Method::Appel).answer(&question, run)?;
-        if !self.style.crossings_wanted() {
-            return Ok((reduce::<Exact>(&question, &answer, run)?, None));
-        }
-        let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, run)?;
-        Ok((lines, Some(crossings)))
+        let regions = match self.surfaces.any() {
+            true => Some(visible_regions::<Exact>(&question, &RegionOptions::default(), run)?),
+            false => None,
+        };
+        let answer = method.answer(&question, regions.as_ref(), run)?;
+        let (lines, crossings) = if self.style.crossings_wanted() {
+            let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, run)?;
+            (lines, Some(crossings))
+        } else {
+            (reduce::<Exact>(&question, &answer, run)?, None)
+        };
+        let regions = match &regions {
+            Some(regions) => image_regions(&question, regions)?,
+            None => ImageRegions::default(),
+        };
+        Ok((lines, crossings, regions))
     }
 
     /// What a computed drawing has settled cannot be asked for again.
@@ -158,6 +190,7 @@ impl Draw {
             ("--crease and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
             ("objects", self.objects.any()),
+            ("--fill and --hatch", self.surfaces.any()),
             ("--weld", self.model.weld.is_some()),
             ("--up-axis", self.model.up_axis.is_some()),
         ];

@@ -6,6 +6,7 @@ use umriss::export::ExportError;
 use umriss::model::CameraError;
 use umriss::model::import::ImportError;
 use umriss::run::Cancelled;
+use umriss::visibility::RegionsError;
 
 /// The end of a command that did not do what it was asked to do.
 #[derive(Debug)]
@@ -82,6 +83,12 @@ impl From<ExportError> for Failure {
 
 impl From<Cancelled> for Failure {
     fn from(error: Cancelled) -> Self {
+        Failure::Failed(error.to_string())
+    }
+}
+
+impl From<RegionsError> for Failure {
+    fn from(error: RegionsError) -> Self {
         Failure::Failed(error.to_string())
     }
 }

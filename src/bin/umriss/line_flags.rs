@@ -5,8 +5,10 @@ use clap::{Args, ValueEnum};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{FeatureOptions, LineClass};
 use umriss::run::Run;
-use umriss::view::{ExactLines, LineQuestion};
-use umriss::visibility::{AppelOptions, appel, roberts};
+use umriss::view::{ExactLines, LineQuestion, VisibleRegions};
+use umriss::visibility::{
+    AppelOptions, RegionOptions, appel, region_lines, roberts, visible_regions,
+};
 
 /// Which edges are lines.
 #[derive(Args)]
@@ -47,8 +49,7 @@ pub(crate) enum Method {
     Appel,
     /// Each line against each face that may hide it; slow, to compare with
     Roberts,
-    /// Regions
-    #[value(hide = true)]
+    /// The borders of what is seen of each face; visible lines only, and only those of faces
     WeilerAtherton,
     /// Back to front
     #[value(hide = true)]
@@ -56,29 +57,41 @@ pub(crate) enum Method {
 }
 
 impl Method {
-    /// Refuses methods that this build has not got.
-    pub(crate) fn check(self) -> Result<(), Failure> {
+    /// Refuses methods that this build has not got, and wishes that a
+    /// method cannot fulfil.
+    pub(crate) fn check(self, hidden_wanted: bool) -> Result<(), Failure> {
         match self {
-            Method::Appel | Method::Roberts => Ok(()),
-            Method::WeilerAtherton | Method::Painter => {
-                let name = self.to_possible_value();
-                let name = name.as_ref().map_or("", |value| value.get_name());
-                Err(Failure::usage(format!(
-                    "--method {name}: this build has no such method, expected appel or roberts"
-                )))
-            }
+            Method::WeilerAtherton if hidden_wanted => Err(Failure::usage(
+                "--method weiler-atherton: regions know nothing of hidden lines, expected \
+                 --hidden none or --method appel",
+            )),
+            Method::Appel | Method::Roberts | Method::WeilerAtherton => Ok(()),
+            Method::Painter => Err(Failure::usage(
+                "--method painter: this build has no such method, expected appel, roberts or \
+                 weiler-atherton",
+            )),
         }
     }
 
-    /// Asks the method.
+    /// Asks the method; `regions` are what is seen of the faces, where that
+    /// is known already.
     pub(crate) fn answer(
         self,
         question: &LineQuestion<'_>,
+        regions: Option<&VisibleRegions>,
         run: &Run<'_>,
     ) -> Result<ExactLines, Failure> {
-        self.check()?;
-        match self {
-            Method::Roberts => Ok(roberts::<Exact>(question, None, run)?),
+        self.check(question.hidden_wanted)?;
+        match (self, regions) {
+            (Method::Roberts, _) => Ok(roberts::<Exact>(question, None, run)?),
+            (Method::WeilerAtherton, Some(regions)) => {
+                Ok(region_lines::<Exact>(question, regions, run)?)
+            }
+            (Method::WeilerAtherton, None) => {
+                let options = RegionOptions::default();
+                let regions = visible_regions::<Exact>(question, &options, run)?;
+                Ok(region_lines::<Exact>(question, &regions, run)?)
+            }
             _ => Ok(appel::<Exact>(question, &AppelOptions::default(), run)?),
         }
     }

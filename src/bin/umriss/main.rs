@@ -2,7 +2,7 @@
 //!
 //! One file per command; what commands share stands beside them: flags
 //! ([`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
-//! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`]), reading
+//! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`], [`surface_flags`]), reading
 //! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
 //! Only the public interface of the library is used, and no geometry is done
 //! here.
@@ -37,6 +37,7 @@ mod sample_grid;
 mod session;
 mod stroke_flags;
 mod style_flags;
+mod surface_flags;
 mod verify;
 
 use clap::{Parser, Subcommand};

@@ -12,9 +12,12 @@ use clap::Args;
 use std::path::PathBuf;
 use umriss::kernel::predicates::Exact;
 use umriss::run::Run;
-use umriss::verify::{CrossCheck, Report, VerifyOptions, cross_check, verify};
+use umriss::verify::{
+    CrossCheck, RegionReport, RegionVerifyOptions, Report, VerifyOptions, cross_check, verify,
+    verify_regions,
+};
 use umriss::view::PreparedView;
-use umriss::visibility::{AppelOptions, Fault, appel};
+use umriss::visibility::{AppelOptions, Fault, RegionFault, appel};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,7 +29,9 @@ Examples:
 ///
 /// Every piece is counted afresh, compared with Roberts' method and looked
 /// for in an image; with --all every image-space method is compared with
-/// every other. Exit code 1 if an exact check differs; the image is none.
+/// every other. Up to --regions triangles, what is seen of each face is found
+/// too: compared with the images of all faces, with rays, and with the lines.
+/// Exit code 1 if an exact check differs; the image is none.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Verify {
@@ -44,9 +49,12 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "WxH", requires = "all", default_value = "512x512",
           value_parser = parse_size)]
     size: [u32; 2],
+    /// Check what is seen of each face up to this many triangles
+    #[arg(long, value_name = "N", default_value_t = RegionVerifyOptions::default().up_to)]
+    regions: usize,
     /// Make a mistake on purpose, to see that it is found
-    #[arg(long = "break", value_name = "NAME", hide = true, value_parser = parse_fault)]
-    fault: Option<Fault>,
+    #[arg(long = "break", value_name = "NAME", hide = true, value_parser = parse_mistake)]
+    mistake: Option<Mistake>,
     #[command(flatten)]
     model: ModelFlags,
     #[command(flatten)]
@@ -57,31 +65,61 @@ pub(crate) struct Verify {
     session: RunFlags,
 }
 
+/// A mistake in one of the methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mistake {
+    Lines(Fault),
+    Regions(RegionFault),
+}
+
+/// Everything that was found.
+struct Reports {
+    lines: Report,
+    regions: RegionReport,
+    images: Option<CrossCheck>,
+}
+
+impl Reports {
+    fn is_clean(&self) -> bool {
+        self.lines.is_clean()
+            && self.regions.is_clean()
+            && self.images.as_ref().is_none_or(CrossCheck::is_clean)
+    }
+}
+
 impl Verify {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let (report, cross_check) = self.session.run(|run| self.verify(run))?;
-        let mut text = report.to_string();
-        if let Some(check) = &cross_check {
+        let reports = self.session.run(|run| self.verify(run))?;
+        let mut text = format!("{}{}", reports.lines, reports.regions);
+        if let Some(check) = &reports.images {
             text = format!("{text}{check}");
         }
         print(text.as_bytes())?;
-        if report.is_clean() && cross_check.is_none_or(|check| check.is_clean()) {
+        if reports.is_clean() {
             Ok(())
         } else {
             Err(Failure::failed("the checks differ: expected no difference"))
         }
     }
 
-    fn verify(&self, run: &Run<'_>) -> Result<(Report, Option<CrossCheck>), Failure> {
+    fn verify(&self, run: &Run<'_>) -> Result<Reports, Failure> {
         let scene = read_scene(&self.models, &self.model, &self.session, run)?;
         let view = self.camera.view(&scene.mesh)?;
         let options = self.lines.options();
         let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
         let question = prepared.question(true);
-        let answer = appel::<Exact>(&question, &AppelOptions { fault: self.fault }, run)?;
-        let report = verify::<Exact>(&view, &question, &answer, &VerifyOptions::default(), run)?;
-        let cross_check = match self.all {
+        let (lines_fault, regions_fault) = match self.mistake {
+            Some(Mistake::Lines(fault)) => (Some(fault), None),
+            Some(Mistake::Regions(fault)) => (None, Some(fault)),
+            None => (None, None),
+        };
+        let answer = appel::<Exact>(&question, &AppelOptions { fault: lines_fault }, run)?;
+        let lines = verify::<Exact>(&view, &question, &answer, &VerifyOptions::default(), run)?;
+        let options =
+            RegionVerifyOptions { up_to: self.regions, fault: regions_fault, ..Default::default() };
+        let regions = verify_regions::<Exact>(&view, &question, &answer, &options, run)?;
+        let images = match self.all {
             true => {
                 let samples = samples(&question, self.size)?;
                 Some(cross_check::<Exact>(&view, &question, &samples, run)?)
@@ -90,19 +128,25 @@ impl Verify {
         };
         #[cfg(feature = "png")]
         if let Some(file) = &self.picture {
-            let lines = umriss::visibility::reduce::<Exact>(&question, &answer, run)?;
-            let segments = report.differences().iter().map(|difference| difference.points);
-            let segments = segments.chain(cross_check.iter().flat_map(CrossCheck::differences));
-            let picture = crate::picture::picture(lines, segments, scene.unit)?;
+            let drawn = umriss::visibility::reduce::<Exact>(&question, &answer, run)?;
+            let segments = lines.differences().iter().map(|difference| difference.points);
+            let segments = segments.chain(regions.differences());
+            let segments = segments.chain(images.iter().flat_map(CrossCheck::differences));
+            let picture = crate::picture::picture(drawn, segments, scene.unit)?;
             umriss::export::write_file(file, &picture)?;
         }
-        Ok((report, cross_check))
+        Ok(Reports { lines, regions, images })
     }
 }
 
-fn parse_fault(name: &str) -> Result<Fault, String> {
-    Fault::ALL.into_iter().find(|fault| fault.name() == name).ok_or_else(|| {
+fn parse_mistake(name: &str) -> Result<Mistake, String> {
+    let forget = RegionFault::ForgetOccluder;
+    if name == forget.name() {
+        return Ok(Mistake::Regions(forget));
+    }
+    let fault = Fault::ALL.into_iter().find(|fault| fault.name() == name);
+    fault.map(Mistake::Lines).ok_or_else(|| {
         let names = Fault::ALL.map(Fault::name);
-        format!("expected one of {}", names.join(", "))
+        format!("expected one of {}, {}", names.join(", "), forget.name())
     })
 }

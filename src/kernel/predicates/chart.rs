@@ -66,7 +66,7 @@ pub struct Chart {
 }
 
 #[derive(Debug, Clone, Copy)]
-enum Projection {
+pub(super) enum Projection {
     /// The plane itself: the eye is the direction (0, 0, 1).
     Flat,
     /// Along the axis `axes[2]`, mostly; `mirrored` if against it.
@@ -136,8 +136,18 @@ impl Chart {
         matches!(self.projection, Projection::Flat)
     }
 
+    /// Whether the eye is a point.
+    pub(super) fn is_central(&self) -> bool {
+        matches!(self.projection, Projection::Central { .. })
+    }
+
+    /// How points get their coordinates.
+    pub(super) fn projection(&self) -> Projection {
+        self.projection
+    }
+
     /// The axes of the chart's first two coordinates in a parallel view.
-    fn plane_axes(&self, axes: [usize; 3], mirrored: bool) -> [usize; 2] {
+    pub(super) fn plane_axes(&self, axes: [usize; 3], mirrored: bool) -> [usize; 2] {
         if mirrored { [axes[1], axes[0]] } else { [axes[0], axes[1]] }
     }
 

@@ -33,6 +33,7 @@ mod fold;
 mod formula;
 mod image;
 mod ladder;
+mod offset;
 mod points;
 mod ray;
 

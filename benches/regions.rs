@@ -1,0 +1,109 @@
+//! Visible regions: how long they take, and how that grows.
+//!
+//! Tables on standard output:
+//!
+//! 1. a torus of 5 to 80 thousand triangles, every triangle a face: seconds,
+//!    and how many times longer than with half as many;
+//! 2. separate tetrahedra in a square, as many: what lies apart must cost
+//!    nothing;
+//! 3. the models that are given as arguments.
+//!
+//! `cargo bench --bench regions` or `-- model.obj ...`.
+
+#![allow(clippy::print_stdout)]
+
+use glam::{DVec3, dvec3};
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::path::Path;
+use std::time::Instant;
+use umriss::kernel::predicates::Exact;
+use umriss::model::{Camera, FeatureOptions, Mesh, Soup, import};
+use umriss::run::Run;
+use umriss::view::PreparedView;
+use umriss::visibility::{RegionOptions, visible_regions};
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// Of so many runs the quickest counts.
+const ROUNDS: usize = 3;
+
+fn main() -> Outcome<()> {
+    let models: Vec<String> =
+        std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
+    println!("| model | triangles | regions | clipped | seconds | ratio |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: |");
+    for (name, scene) in [("torus", torus as fn(usize) -> Soup), ("apart", apart)] {
+        let mut before = None;
+        for thousands in [5, 10, 20, 40, 80] {
+            let mesh = Mesh::new(vec![scene(thousands * 1000)], None)?;
+            before = Some(measure(name, &mesh, before)?);
+        }
+    }
+    for model in models {
+        let objects = import::read_file(Path::new(&model), None)?.objects;
+        measure(&model, &Mesh::new(objects, None)?, None)?;
+    }
+    Ok(())
+}
+
+/// Prints a row; returns the seconds.
+fn measure(name: &str, mesh: &Mesh, before: Option<f64>) -> Outcome<f64> {
+    let forward = dvec3(-0.62, -0.71, -0.43);
+    let camera = Camera::Orthographic { forward, target: None, up: DVec3::Z };
+    let view = camera.view(mesh.bounds())?;
+    let options = FeatureOptions::default();
+    let prepared = PreparedView::new::<Exact>(mesh, &view, &options, &Run::default())?;
+    let question = prepared.question(false);
+    let (mut best, mut regions, mut clipped) = (f64::INFINITY, 0, 0);
+    for _ in 0..ROUNDS {
+        let run = Run::default();
+        let start = Instant::now();
+        let found = visible_regions::<Exact>(&question, &RegionOptions::default(), &run)?;
+        best = best.min(start.elapsed().as_secs_f64());
+        regions = found.regions().len();
+        clipped = run.counters().get("faces-clipped");
+    }
+    let ratio = before.map_or(String::new(), |before| format!("{:.2}", best / before));
+    let count = mesh.triangles().len();
+    println!("| {name} | {count} | {regions} | {clipped} | {best:.3} | {ratio} |");
+    Ok(best)
+}
+
+/// A torus of about this many triangles.
+fn torus(triangles: usize) -> Soup {
+    let tube = ((triangles / 2) as f64 / 2.5).sqrt() as usize;
+    let around = triangles / 2 / tube;
+    let mut soup = Soup::default();
+    for i in 0..around {
+        for j in 0..tube {
+            let (u, v) = (TAU * i as f64 / around as f64, TAU * j as f64 / tube as f64);
+            let radius = 3.0 + v.cos();
+            soup.vertices.push(dvec3(radius * u.cos(), radius * u.sin(), v.sin()));
+        }
+    }
+    for i in 0..around {
+        for j in 0..tube {
+            let at = |i: usize, j: usize| ((i % around) * tube + j % tube) as u32;
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            soup.faces.push(&[a, b, c], []);
+            soup.faces.push(&[a, c, d], []);
+        }
+    }
+    soup
+}
+
+/// Tetrahedra that stand apart.
+fn apart(triangles: usize) -> Soup {
+    let side = ((triangles / 4) as f64).sqrt().ceil() as usize;
+    let mut soup = Soup::default();
+    for i in 0..triangles / 4 {
+        let at = dvec3((i % side) as f64 * 2.0, (i / side) as f64 * 2.0, 0.0);
+        let first = soup.vertices.len() as u32;
+        soup.vertices.extend([DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z].map(|p| at + p));
+        for [a, b, c] in [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]] {
+            soup.faces.push(&[first + a, first + b, first + c], []);
+        }
+    }
+    soup
+}

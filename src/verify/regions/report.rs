@@ -1,0 +1,112 @@
+//! What a verification of regions found.
+
+use glam::DVec2;
+use std::fmt;
+
+/// Differences that are described in words.
+pub(super) const DESCRIBED: usize = 20;
+
+/// Sums of one check.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct RegionTally {
+    /// Regions, samples or pieces on which both sides agree.
+    pub agree: u64,
+    /// Those on which they differ; of areas, connected ones.
+    pub differ: u64,
+}
+
+/// Pieces that are a border or a visible line, but not both.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Surplus {
+    /// Visible pieces of lines without a face that has an image.
+    pub faceless: u64,
+    /// Visible pieces that lie on another face, which is seen instead of
+    /// their own.
+    pub on_other_face: u64,
+    /// Borders on which a nearer line is drawn.
+    pub below_other_line: u64,
+}
+
+/// What a verification of regions found.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RegionReport {
+    /// Why there was none.
+    pub skipped: Option<String>,
+    /// Regions, disjoint and together the images.
+    pub area: RegionTally,
+    /// Whether faces lie between the eye and the near plane, or reach through
+    /// it. These hide lines, which regions do not know, so overlaps and owners
+    /// are all that is looked for.
+    pub near_faces: bool,
+    /// Samples.
+    pub owner: RegionTally,
+    /// Samples on an edge of the triangle that they see, where it ties with
+    /// one that is seen beside the edge.
+    pub samples_on_edges: u64,
+    /// Pieces of lines.
+    pub border: RegionTally,
+    /// Pieces that differ as they should.
+    pub surplus: Surplus,
+    described: Vec<String>,
+    pub(super) segments: Vec<[DVec2; 2]>,
+}
+
+impl RegionReport {
+    /// Whether nothing differs.
+    pub fn is_clean(&self) -> bool {
+        [self.area, self.owner, self.border].iter().all(|tally| tally.differ == 0)
+    }
+
+    /// Where borders differ, in the view frame.
+    pub fn differences(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+        self.segments.iter().copied()
+    }
+
+    pub(super) fn describe(&mut self, what: String) {
+        if self.described.len() < DESCRIBED {
+            self.described.push(what);
+        }
+    }
+
+    pub(super) fn append(&mut self, other: RegionReport) {
+        let add = |own: &mut RegionTally, other: RegionTally| {
+            own.agree += other.agree;
+            own.differ += other.differ;
+        };
+        add(&mut self.area, other.area);
+        add(&mut self.owner, other.owner);
+        add(&mut self.border, other.border);
+        self.samples_on_edges += other.samples_on_edges;
+        self.surplus.faceless += other.surplus.faceless;
+        self.surplus.on_other_face += other.surplus.on_other_face;
+        self.surplus.below_other_line += other.surplus.below_other_line;
+        self.segments.extend(other.segments);
+        other.described.into_iter().for_each(|what| self.describe(what));
+    }
+}
+
+impl fmt::Display for RegionReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(reason) = &self.skipped {
+            return writeln!(f, "regions: not run ({reason})");
+        }
+        writeln!(f, "{:<7} {:>10} {:>10}", "regions", "agree", "differ")?;
+        let rows = [("area", self.area), ("owner", self.owner), ("border", self.border)];
+        for (name, tally) in rows {
+            writeln!(f, "{name:<7} {:>10} {:>10}", tally.agree, tally.differ)?;
+        }
+        if self.samples_on_edges > 0 {
+            writeln!(f, "owner: besides, {} samples on edges", self.samples_on_edges)?;
+        }
+        let Surplus { faceless, on_other_face, below_other_line } = self.surplus;
+        writeln!(
+            f,
+            "border: besides, {faceless} visible pieces of lines without a face that shows, \
+             {on_other_face} on another face, {below_other_line} borders below another line"
+        )?;
+        if self.near_faces {
+            writeln!(f, "area: overlaps only, border: not run (faces before the near plane)")?;
+        }
+        self.described.iter().try_for_each(|what| writeln!(f, "{what}"))
+    }
+}
