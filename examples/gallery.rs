@@ -268,6 +268,7 @@ impl Flags {
         let weight = self.get("weight").map(str::parse::<Weight>).transpose()?;
         let steps = self.get("weight-steps").map(str::parse).transpose()?;
         Ok(DrawingOptions {
+            junctions: self.effort()? != Effort::Keep,
             paper: self.parse("paper", base.paper)?,
             landscape: self.get("landscape").is_some(),
             hidden: self.parse("hidden", base.hidden)?,

@@ -31,7 +31,7 @@ pub(super) const SINGLE: u32 = u32::MAX;
 /// A joint of two segments on one straight line is no point of the polyline:
 /// they are of one run, or the three points are collinear as they stand.
 /// Where other polylines meet it there it is a point still if `junctions`
-/// asks for those, as what is to be smoothed does.
+/// asks for those, as what is to be smoothed or ordered does.
 pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32], junctions: bool) -> Strokes {
     let (partners, busy) = pair_ends(segments);
     let mut drawn = vec![false; segments.len()];

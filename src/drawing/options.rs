@@ -151,6 +151,10 @@ pub struct DrawingOptions {
     pub weight: Option<Weight>,
     /// Which segments may be joined to one stroke.
     pub join: Join,
+    /// Whether strokes keep a point on a straight line where others meet it.
+    /// Wanted where the strokes are put in order later, so that the pen may
+    /// pass there from one to another; otherwise such points are nothing.
+    pub junctions: bool,
     /// Strokes shorter than this are left out; 0 leaves out none.
     pub min_length: Length,
     /// Points are left out as long as strokes stay within this distance of
@@ -182,6 +186,7 @@ impl Default for DrawingOptions {
             halo: Length::from_millimetres(0.0),
             weight: None,
             join: Join::All,
+            junctions: false,
             min_length: Length::from_millimetres(0.0),
             simplify: Length::from_millimetres(0.0),
             fit: Length::from_millimetres(0.0),

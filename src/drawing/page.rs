@@ -215,7 +215,7 @@ fn join(
     let smoothed = 0.0 < options.fit.millimetres().max(options.simplify.millimetres());
     let joined = |pieces: &[u32]| {
         let (segments, runs) = segments(lines, pieces, placement);
-        chain(&segments, &runs, smoothed)
+        chain(&segments, &runs, smoothed || options.junctions)
     };
     let mut strokes = match options.join {
         Join::All => joined(&plan.pieces),

@@ -16,7 +16,7 @@ use crate::style_flags::StyleFlags;
 use crate::surface_flags::SurfaceFlags;
 use clap::Args;
 use std::path::PathBuf;
-use umriss::drawing::{Content, Drawing, DrawingOptions, Hidden, Preset, Styles};
+use umriss::drawing::{Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles};
 use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Scene, Soup};
@@ -136,15 +136,20 @@ impl Draw {
         let surfaces = self.surfaces.options();
         let page = || Drawing::of(&content, &options, &styles, &surfaces);
         let mut drawing = run.stage("page", pieces, page)?;
-        let effort = self.style.preset.map(Preset::effort).unwrap_or_default();
-        self.pen.apply(&mut drawing, effort, plotter, &self.session, run);
+        self.pen.apply(&mut drawing, self.effort(), plotter, &self.session, run);
         Ok(Computed { lines, notes, drawing })
     }
 
     /// What is asked of the page.
     fn options(&self, notes: &DrawingNotes) -> DrawingOptions {
         let page = self.page.options(self.style.base(), notes.unit.unwrap_or_default());
-        self.style.apply(self.strokes.apply(page))
+        let options = self.style.apply(self.strokes.apply(page));
+        DrawingOptions { junctions: self.pen.orders(self.effort()), ..options }
+    }
+
+    /// How strokes are put in order without a flag that says so.
+    fn effort(&self) -> Effort {
+        self.style.preset.map(Preset::effort).unwrap_or_default()
     }
 
     /// The lines, their crossings if these are wanted, and what is seen of

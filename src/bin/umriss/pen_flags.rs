@@ -18,6 +18,12 @@ pub(crate) struct PenFlags {
 }
 
 impl PenFlags {
+    /// Whether the strokes are put in order, if `default` is what is done
+    /// without a flag.
+    pub(crate) fn orders(&self, default: Effort) -> bool {
+        self.order.unwrap_or(default) != Effort::Keep
+    }
+
     /// Puts the strokes in order and counts what drawing them takes.
     pub(crate) fn apply(
         &self,

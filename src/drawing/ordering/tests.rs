@@ -142,7 +142,7 @@ fn a_grid_of_triangles_takes_half_its_odd_joints() {
     }
     let odd = degrees.values().filter(|degree| *degree % 2 == 1).count();
     let chained: Vec<_> =
-        crate::drawing::chaining::chain(&edges, &[], false).iter().map(<[DVec2]>::to_vec).collect();
+        crate::drawing::chaining::chain(&edges, &[], true).iter().map(<[DVec2]>::to_vec).collect();
     let trails = ordered(&chained, Effort::Best);
     assert_eq!(trails.len(), (odd / 2).max(1));
     assert_eq!(segments(trails.iter()), segments(edges.iter().map(|edge| &edge[..])));
