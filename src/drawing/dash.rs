@@ -10,18 +10,18 @@ use std::str::FromStr;
 /// A type of line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, PartialOrd, Ord, Hash)]
 pub enum Dash {
-    /// Without gaps [ISO 128-2, 01].
+    /// Without gaps (ISO 128-2, type 01).
     #[default]
     Continuous,
-    /// Dashes [02].
+    /// Dashes (02).
     Dashed,
     /// Dashes of half the length, for what lies behind more.
     Short,
-    /// Dots [07].
+    /// Dots (07).
     Dotted,
-    /// A long dash and a dot: centre lines [04].
+    /// A long dash and a dot: centre lines (04).
     Chain,
-    /// A long dash and two dots: phantom lines [05].
+    /// A long dash and two dots: phantom lines (05).
     DoubleChain,
 }
 
