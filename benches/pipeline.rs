@@ -6,7 +6,8 @@
 //!
 //! 1. binary STL to SVG against `stl_io` merely reading the same file,
 //!    without and with the search for interpenetration, and with all edges;
-//! 2. growth: the time at each doubling of the triangles;
+//! 2. growth: the time at each doubling of the triangles, each run in a
+//!    process of its own;
 //! 3. exact decisions against floats with and without the filter, in a
 //!    general and in an axis-aligned view;
 //! 4. peak memory in a process of its own.
@@ -19,7 +20,7 @@
 use glam::{DVec3, Vec3};
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use umriss::drawing::{Drawing, DrawingOptions};
 use umriss::export::{SvgOptions, to_svg, write_file};
 use umriss::kernel::predicates::{Exact, FilterOnly, Plain, Policy};
@@ -44,8 +45,12 @@ const ALIGNED: DVec3 = DVec3::new(0.0, 1.0, 0.0);
 
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().collect();
-    if let Some(at) = arguments.iter().position(|word| word == "--memory") {
-        return memory_of_one_run(Path::new(&arguments[at + 1]), &arguments[at + 2]);
+    if let [_, what, path, lines] = &arguments[..] {
+        match what.as_str() {
+            "--memory" => return memory_of_one_run(Path::new(path), lines),
+            "--time" => return time_of_one_run(Path::new(path), lines),
+            _ => {}
+        }
     }
     let thousands = arguments.iter().skip(1).find_map(|word| word.parse().ok()).unwrap_or(1000);
     let folder = tempfile::tempdir()?;
@@ -162,30 +167,50 @@ fn against_reading(folder: &Path, thousands: usize) -> Outcome<()> {
     )
 }
 
+/// Growth at each doubling: the sizes in turn, round after round, each run in
+/// a process of its own. A process that has drawn before would keep the
+/// memory of small scenes at hand and not that of large ones.
 fn growth(folder: &Path, thousands: usize) -> Outcome<()> {
+    const ROUNDS: usize = 9;
     println!("\nGrowth\n\n| thousand triangles | seconds | growth |\n| ---: | ---: | ---: |");
     let mut sizes = vec![2 * thousands];
     while sizes.last().is_some_and(|&size| size > 15) {
         sizes.push(sizes[sizes.len() - 1] / 2);
     }
     sizes.reverse();
-    let mut before: Option<Duration> = None;
-    for size in sizes {
-        let path = torus(folder, size)?;
-        let mut times = Vec::new();
-        for _ in 0..5 {
-            let start = Instant::now();
-            draw::<Exact>(&path, Lines::Intersections, GENERAL)?;
-            times.push(start.elapsed());
+    let paths: Vec<PathBuf> =
+        sizes.iter().map(|&size| torus(folder, size)).collect::<Outcome<_>>()?;
+    let mut times: Vec<Vec<f64>> = vec![Vec::new(); sizes.len()];
+    for _ in 0..ROUNDS {
+        for (path, times) in paths.iter().zip(&mut times) {
+            times.push(in_a_process("--time", path, "interpenetration")?.trim().parse()?);
         }
-        times.sort();
-        let time = times[1];
-        let growth = before.map_or(String::new(), |before| {
-            format!("{:.2}", time.as_secs_f64() / before.as_secs_f64())
-        });
-        println!("| {size} | {:.3} | {growth} |", time.as_secs_f64());
-        before = Some(time);
     }
+    for (i, size) in sizes.iter().enumerate() {
+        let growth = if i == 0 {
+            String::new()
+        } else {
+            let ratios = times[i].iter().zip(&times[i - 1]).map(|(a, b)| a / b);
+            format!("{:.2}", median(&mut ratios.collect::<Vec<f64>>()))
+        };
+        println!("| {size} | {:.3} | {growth} |", median(&mut times[i].clone()));
+    }
+    Ok(())
+}
+
+/// What this program prints when it is called with such arguments.
+fn in_a_process(what: &str, path: &Path, lines: &str) -> Outcome<String> {
+    let output = std::process::Command::new(std::env::current_exe()?)
+        .args([Path::new(what), path, Path::new(lines)])
+        .output()?;
+    Ok(String::from_utf8(output.stdout)?)
+}
+
+/// The seconds of one run.
+fn time_of_one_run(path: &Path, lines: &str) -> Outcome<()> {
+    let start = Instant::now();
+    draw::<Exact>(path, named(lines), GENERAL)?;
+    println!("{}", start.elapsed().as_secs_f64());
     Ok(())
 }
 
@@ -210,10 +235,7 @@ fn memory(folder: &Path, thousands: usize) -> Outcome<()> {
     let path = torus(folder, thousands)?;
     println!("\nPeak memory\n\n| | MB | bytes a triangle |\n| --- | ---: | ---: |");
     for lines in ["features", "interpenetration", "all edges"] {
-        let output = std::process::Command::new(std::env::current_exe()?)
-            .args([Path::new("--memory"), &path, Path::new(lines)])
-            .output()?;
-        let text = String::from_utf8_lossy(&output.stdout);
+        let text = in_a_process("--memory", &path, lines)?;
         let Some(kilobytes) = text.trim().parse::<f64>().ok() else {
             println!("| {lines} | not told by this system | |");
             continue;
@@ -225,14 +247,17 @@ fn memory(folder: &Path, thousands: usize) -> Outcome<()> {
 }
 
 fn memory_of_one_run(path: &Path, lines: &str) -> Outcome<()> {
-    let lines = match lines {
-        "features" => Lines::Features,
-        "interpenetration" => Lines::Intersections,
-        _ => Lines::AllEdges,
-    };
-    draw::<Exact>(path, lines, GENERAL)?;
+    draw::<Exact>(path, named(lines), GENERAL)?;
     let status = std::fs::read_to_string("/proc/self/status")?;
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     println!("{}", peak.map_or("", |text| text.trim().trim_end_matches(" kB")));
     Ok(())
+}
+
+fn named(lines: &str) -> Lines {
+    match lines {
+        "features" => Lines::Features,
+        "interpenetration" => Lines::Intersections,
+        _ => Lines::AllEdges,
+    }
 }
