@@ -28,7 +28,7 @@ pub struct IntersectionLine {
     /// The segment; its ends are piercings or vertices.
     pub carrier: Carrier,
     /// The triangles, the smaller number first. For an edge that lies in a
-    /// triangle: a triangle at the edge, and that triangle.
+    /// triangle: that triangle, and one at the edge.
     pub triangles: [u32; 2],
 }
 
@@ -372,7 +372,7 @@ impl<'p, P: Policy> Search<'p, P> {
                 && triangles.iter().find(off_plane) == Some(&s)
                 && let Some(carrier) = clip_to_triangle(predicates, [a.min(b), a.max(b)], c, plane)
             {
-                self.lines.push(IntersectionLine { carrier, triangles: [s, t] });
+                self.lines.push(IntersectionLine { carrier, triangles: [s.min(t), s.max(t)] });
             }
         }
     }

@@ -9,6 +9,7 @@
 //! into one stroke without asking whether rounded points are collinear.
 
 mod coincident;
+mod collinear;
 mod passing;
 mod rounded;
 
