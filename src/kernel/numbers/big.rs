@@ -1,7 +1,7 @@
 //! Integers of any size: the last step of the ladder, for scenes whose
 //! coordinates span more binary orders than a fixed width holds.
 
-use super::{Ring, Sign};
+use super::{Ring, Sign, Significand};
 use dashu_int::IBig;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -81,17 +81,13 @@ pub(crate) fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
 
 impl Ring for BigInteger {
     fn read(value: f64, unit: i32) -> Self {
-        let bits = value.to_bits();
-        let field = ((bits >> 52) & 0x7ff) as i32;
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) =
-            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+        let Significand { whole, exponent } = Significand::of(value);
         let shift = exponent - unit;
         let magnitude = if shift >= 0 {
-            IBig::from(mantissa) << shift as usize
+            IBig::from(whole) << shift as usize
         } else {
             // The value is a multiple of 2^unit: only zero bits fall off.
-            IBig::from(mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0))
+            IBig::from(whole.checked_shr(shift.unsigned_abs()).unwrap_or(0))
         };
         BigInteger(if value < 0.0 { -magnitude } else { magnitude })
     }

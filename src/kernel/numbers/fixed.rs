@@ -7,7 +7,7 @@
 //! caller chooses a width that the formula's degree and the scene's spread
 //! cannot exceed; a debug build checks it.
 
-use super::{Ring, Sign};
+use super::{Ring, Sign, Significand};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer below `2^(64 N)` in absolute value.
@@ -113,23 +113,22 @@ impl<const N: usize> FixedInteger<N> {
 impl<const N: usize> Ring for FixedInteger<N> {
     #[inline]
     fn read(value: f64, _unit: i32) -> Self {
-        let bits = value.to_bits();
-        let field = ((bits >> 52) & 0x7ff) as usize;
-        if field < 1023 {
+        if value.abs() < 1.0 {
             // Integers below one are zero.
             return Self::ZERO;
         }
-        let mantissa = bits & ((1 << 52) - 1) | 1 << 52;
+        let Significand { whole, exponent } = Significand::of(value);
         let mut number = Self { negative: value < 0.0, ..Self::ZERO };
-        if field <= 1075 {
-            number.limbs[0] = mantissa >> (1075 - field);
+        if exponent <= 0 {
+            // Below 2^53: only zero bits fall off, at most 52.
+            number.limbs[0] = whole >> exponent.unsigned_abs();
             number.length = 1;
             return number;
         }
-        let (limb, shift) = ((field - 1075) / 64, (field - 1075) % 64);
-        number.limbs[limb] = mantissa << shift;
+        let (limb, shift) = (exponent as usize / 64, exponent as usize % 64);
+        number.limbs[limb] = whole << shift;
         // Shifted in two steps, for a shift by 64 is not defined.
-        let over = mantissa >> 1 >> (63 - shift);
+        let over = whole >> 1 >> (63 - shift);
         number.length = limb + 1;
         if over != 0 {
             number.limbs[limb + 1] = over;

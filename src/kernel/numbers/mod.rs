@@ -12,6 +12,7 @@ mod filtered;
 mod fixed;
 mod fraction;
 mod sign;
+mod significand;
 mod small;
 
 pub use big::BigInteger;
@@ -20,6 +21,7 @@ pub use filtered::Filtered;
 pub use fixed::FixedInteger;
 pub use fraction::Fraction;
 pub use sign::Sign;
+pub(crate) use significand::Significand;
 pub use small::SmallInteger;
 
 use std::ops::{Add, Mul, Neg, Sub};

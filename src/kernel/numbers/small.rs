@@ -8,7 +8,7 @@
 //! differences do, and then takes half as many steps. Wider values are better off with [`super::FixedInteger`], which counts
 //! its words. Overflow is excluded by the caller; a debug build checks it.
 
-use super::{Ring, Sign};
+use super::{Ring, Sign, Significand};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer below `2^(64 N - 1)` in absolute value.
@@ -121,18 +121,16 @@ fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
 impl<const N: usize> Ring for SmallInteger<N> {
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
-        let bits = value.to_bits();
-        let exponent = ((bits >> 52) & 0x7ff) as usize;
-        let mantissa = (bits & ((1 << 52) - 1)) | 1 << 52;
+        let Significand { whole, exponent } = Significand::of(value);
         let mut words = [0; N];
-        if exponent <= 1075 {
+        if exponent <= 0 {
             // Below 2^53; numbers below one are zero, for they are whole.
-            words[0] = mantissa.checked_shr(1075 - exponent as u32).unwrap_or(0);
+            words[0] = whole.checked_shr(exponent.unsigned_abs()).unwrap_or(0);
         } else {
-            let (word, shift) = ((exponent - 1075) / 64, (exponent - 1075) % 64);
-            words[word] = mantissa << shift;
+            let (word, shift) = (exponent as usize / 64, exponent as usize % 64);
+            words[word] = whole << shift;
             // Shifted in two steps, for a shift by 64 is not defined.
-            let over = mantissa >> 1 >> (63 - shift);
+            let over = whole >> 1 >> (63 - shift);
             if word + 1 < N {
                 words[word + 1] = over;
             } else {

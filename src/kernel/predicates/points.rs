@@ -11,7 +11,7 @@
 //! stay as they are and are decided by big integers alone.
 
 use super::{Eye, NearPlane};
-use crate::kernel::numbers::{Ring, scale_by_power_of_two};
+use crate::kernel::numbers::{Ring, Significand, scale_by_power_of_two};
 use crate::run::{fill_indexed, map_chunks};
 use glam::DVec3;
 
@@ -35,13 +35,9 @@ impl BitRange {
         if value == 0.0 {
             return;
         }
-        let bits = value.to_bits();
-        let field = ((bits >> 52) & 0x7ff) as i32;
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) =
-            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
-        self.lowest = self.lowest.min(exponent + mantissa.trailing_zeros() as i32);
-        self.above = self.above.max(exponent + 64 - mantissa.leading_zeros() as i32);
+        let Significand { whole, exponent } = Significand::of(value);
+        self.lowest = self.lowest.min(exponent + whole.trailing_zeros() as i32);
+        self.above = self.above.max(exponent + 64 - whole.leading_zeros() as i32);
     }
 
     fn of(values: impl IntoIterator<Item = DVec3>) -> Self {
