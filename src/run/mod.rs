@@ -10,5 +10,5 @@ mod parallel;
 mod progress;
 
 pub use counters::{Counters, StageTime};
-pub use parallel::{concat_map, fill_indexed, map_chunks, map_indexed, sort_by};
+pub use parallel::{concat_map, fill_indexed, map_chunks, map_indexed, map_small, sort_by};
 pub use progress::{Cancelled, Limits, Progress, Run, Silent};

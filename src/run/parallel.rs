@@ -21,6 +21,15 @@ pub fn map_indexed<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Sen
     (0..count).map(work).collect()
 }
 
+/// The same for work that is small.
+pub fn map_small<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    if count > LEAST {
+        return (0..count).into_par_iter().with_min_len(LEAST).map(work).collect();
+    }
+    (0..count).map(work).collect()
+}
+
 /// Cuts `0..count` into ranges of `size` and maps each of them; results in
 /// the order of the ranges.
 pub fn map_chunks<T: Send>(

@@ -11,7 +11,7 @@
 
 use super::Bounds;
 use super::group::{Group, SIZE, places};
-use crate::run::map_indexed;
+use crate::run::{map_indexed, map_small};
 use glam::Vec3A;
 use std::cell::Cell;
 
@@ -144,10 +144,12 @@ impl Hierarchy {
         found: impl Fn(&mut T, u32, u32) + Sync + Send,
     ) -> Vec<T> {
         // A level with enough groups to deal them out: one result per group,
-        // which meets itself and all later groups.
+        // which meets itself and all later groups. Few items are not worth
+        // waking threads for.
         let top = self.levels.len() - 1;
         let wide = |&level: &usize| self.levels[level].len() >= 256;
-        let level = (0..=top).rev().find(wide).unwrap_or(0);
+        let few = self.levels[0].len() < 64;
+        let level = if few { top } else { (0..=top).rev().find(wide).unwrap_or(0) };
         map_indexed(self.levels[level].len(), |group| {
             let mut result = start();
             self.pairs_within(level, group, &mut |a, b| found(&mut result, a, b));
@@ -239,7 +241,7 @@ impl Hierarchy {
 
 /// Groups boxes `0..count`.
 fn grouped(count: usize, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Vec<Group> {
-    map_indexed(count.div_ceil(SIZE), |group| {
+    map_small(count.div_ceil(SIZE), |group| {
         let first = group * SIZE;
         Group::of((first..count.min(first + SIZE)).map(&bounds))
     })
@@ -251,7 +253,7 @@ fn grouped(count: usize, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Vec<
 fn along_curve(count: usize, place: impl Fn(usize) -> Vec3A + Sync + Send) -> Vec<u32> {
     let axis_bits = (count.max(1).ilog2() / 3).clamp(1, 8);
     let shift = 63 - 3 * axis_bits;
-    let cells = map_indexed(count, |i| (morton_code(place(i)) >> shift) as u32);
+    let cells = map_small(count, |i| (morton_code(place(i)) >> shift) as u32);
     let mut next = vec![0_u32; (1 << (3 * axis_bits)) + 1];
     cells.iter().for_each(|&cell| next[cell as usize + 1] += 1);
     let mut sum = 0;

@@ -38,6 +38,7 @@ mod queue;
 mod ring;
 mod rings;
 mod rounded;
+mod separation;
 mod status;
 mod sweep;
 

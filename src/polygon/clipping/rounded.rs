@@ -11,12 +11,16 @@
 //! the box of either edge: near zero doubles are so dense that crossings
 //! would come nearer and nearer for a thousand rounds.
 //!
+//! The exact look back is taken only where edges come so near to one another
+//! that rounding can have mattered (`separation`).
+//!
 //! It ends: a coordinate is from then on one on the grid or one that a vertex
 //! has, and these are finitely many. An edge becomes a chain within its box,
 //! monotone in x and in y, and every round puts at least one more of their
 //! points into a chain. In practice one look back finds nothing, and
 //! more than three rounds are rare.
 
+use super::separation::surely_undisturbed;
 use super::{FillRule, PlaneShape, Polygon, Ring, ShapeError};
 use crate::kernel::predicates::{Chart, Exact, ImageLine, ImagePoint, Predicates};
 use glam::DVec2;
@@ -94,6 +98,9 @@ impl PlaneShape {
         while !shape.is_on_grid() {
             let polygons = shape.round_once(rounds > 0);
             rounds += 1;
+            if rounds == 1 && shape.is_surely_still(&polygons) {
+                return Ok(Rounded { polygons, rounds });
+            }
             next = Self::new(&polygons, FillRule::Positive)?.normalized(true)?;
             shape = &next;
         }
@@ -157,6 +164,15 @@ impl PlaneShape {
         self.polygons().iter().map(rings).collect()
     }
 
+    /// Whether these polygons, which are those of this shape rounded for the
+    /// first time, surely lie as these.
+    fn is_surely_still(&self, polygons: &[Rings]) -> bool {
+        let rings = self.polygons().iter().zip(polygons).flat_map(|(exact, rounded)| {
+            exact.rings.iter().zip(rounded).map(|(exact, rounded)| (&exact[..], &rounded[..]))
+        });
+        surely_undisturbed(rings)
+    }
+
     /// One unit in the last place of the largest coordinate.
     fn grid_step(&self) -> f64 {
         let vertices = self.polygons().iter().flat_map(|polygon| &polygon.rings).flatten();
@@ -174,5 +190,58 @@ impl PlaneShape {
         };
         let (a, b) = (self.vertex(a), self.vertex(b));
         place.clamp(a.min(b), a.max(b))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FillRule, PlaneShape, Rings};
+    use crate::polygon::clipping::Operation;
+    use glam::DVec2;
+    use proptest::prelude::*;
+
+    /// Rings from their least corners on, sorted.
+    fn in_order(mut polygons: Vec<Rings>) -> Vec<Rings> {
+        let key = |corner: &DVec2| corner.to_array().map(|x| (x + 0.0).to_bits());
+        for rings in &mut polygons {
+            for ring in rings.iter_mut() {
+                let least = (0..ring.len()).min_by_key(|&i| key(&ring[i])).unwrap_or(0);
+                ring.rotate_left(least);
+            }
+            rings[1..].sort_by_key(|ring| ring.iter().map(key).collect::<Vec<_>>());
+        }
+        polygons.sort_by_key(|rings| rings[0].iter().map(key).collect::<Vec<_>>());
+        polygons
+    }
+
+    /// A coordinate: of a few, so that edges meet, or any.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            (0..6_i32).prop_map(f64::from),
+            (0..6_i32, 0..3_u32)
+                .prop_map(|(x, ulps)| (0..ulps).fold(f64::from(x), |x, _| x.next_up())),
+            0.0..6.0,
+        ]
+    }
+
+    fn ring() -> impl Strategy<Value = Vec<DVec2>> {
+        let corner = (coordinate(), coordinate()).prop_map(|(x, y)| DVec2::new(x, y));
+        prop::collection::vec(corner, 3..9)
+    }
+
+    proptest! {
+        /// Where no second look is taken, it would have found nothing.
+        #[test]
+        fn a_second_look_changes_nothing(a in ring(), b in ring(), which in 0..4_usize) {
+            let [a, b] = [a, b].map(|ring| PlaneShape::new(&[vec![ring]], FillRule::EvenOdd).unwrap());
+            let exact = PlaneShape::operation(Operation::ALL[which], &[&a, &b]).unwrap();
+            let polygons = exact.round_once(false);
+            if exact.is_surely_still(&polygons) {
+                let again = PlaneShape::new(&polygons, FillRule::Positive).unwrap();
+                let again = again.normalized(true).unwrap();
+                prop_assert!(again.is_on_grid());
+                prop_assert_eq!(in_order(polygons), in_order(again.straightened()));
+            }
+        }
     }
 }
