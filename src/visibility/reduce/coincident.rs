@@ -1,18 +1,21 @@
 //! Which pieces lie on one another in the image, and which of them is drawn.
 //!
-//! Pieces whose boxes touch and whose images are exactly collinear are
-//! gathered into groups. A group is one image line; its ends are ordered
-//! exactly along it, and between two neighbouring ends the best piece there
-//! is drawn. Rounded coordinates only dismiss pairs that are clearly not
-//! collinear and order ends that are clearly apart, both with proven slack.
+//! A group (`groups`) is one image line; its ends are ordered exactly along
+//! it, and between two neighbouring ends the best piece there is drawn.
+//! Rounded coordinates only order ends that are clearly apart.
+//!
+//! What becomes of visible pieces does not depend on whether hidden ones are
+//! there too: they come out in the order of their lines and along these, and
+//! their ends are rounded as those of visible pieces. So a drawing whose
+//! hidden lines are left out is the one without them.
 
+use super::groups::groups_of;
 use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
-use crate::run::{Run, concat_map, map_chunks};
-use crate::spatial::{Hierarchy, Rounding};
+use crate::run::{Run, concat_map, map_chunks, map_indexed, sort_by};
 use crate::view::{LinePiece, LineQuestion};
-use glam::{DVec2, Vec3A};
+use glam::DVec2;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
@@ -37,7 +40,9 @@ pub(super) fn resolve_coincident<P: Policy>(
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
         let origins = origins_wanted.then(|| Vec::with_capacity(part.len()));
-        let mut found = Resolved { pieces: Vec::with_capacity(part.len()), origins, runs: 0 };
+        let count = part.len();
+        let (drawn, indices) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut found = Resolved { pieces: drawn, indices, origins, runs: 0 };
         for group in part {
             found.add(question, &predicates, pieces, groups.get(group));
         }
@@ -55,7 +60,21 @@ pub(super) fn resolve_coincident<P: Policy>(
         |part: usize, piece: &LinePiece| LinePiece { run: first_runs[part] + piece.run, ..*piece };
     let origins = resolved.iter().filter_map(|(found, _)| found.origins.as_deref());
     let origins: Vec<&[Origin]> = origins.collect();
-    (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin))
+    let indices: Vec<&[u32]> = resolved.iter().map(|(found, _)| &found.indices[..]).collect();
+    let indices = concat_map(&indices, |_, index| *index);
+    let (pieces, origins) =
+        (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin));
+    if indices.is_sorted() {
+        return (pieces, origins);
+    }
+    let mut order: Vec<[u32; 2]> = indices.into_iter().zip(0..).map(Into::into).collect();
+    sort_by(&mut order, Ord::cmp);
+    (reordered(&pieces, &order), reordered(&origins, &order))
+}
+
+/// A list, which may be empty, in an order of its indices.
+fn reordered<T: Copy + Send + Sync>(list: &[T], order: &[[u32; 2]]) -> Vec<T> {
+    map_indexed(order.len().min(list.len()), |i| list[order[i][1] as usize])
 }
 
 /// Groups that one task resolves.
@@ -64,6 +83,8 @@ const PART: usize = 2048;
 /// What becomes of some groups.
 struct Resolved {
     pieces: Vec<LinePiece>,
+    /// For each of them the index of the piece that it is part of.
+    indices: Vec<u32>,
     /// One for each piece, if wanted.
     origins: Option<Vec<Origin>>,
     /// Runs are numbered from 0 to this.
@@ -82,14 +103,17 @@ impl Resolved {
         match group {
             [] => {}
             // Most pieces lie on no other.
-            [alone] => self.append(question, [RoundedPiece { run: 0, ..piece(*alone) }]),
+            [alone] => self.append(question, [(*alone, RoundedPiece { run: 0, ..piece(*alone) })]),
             [first, others @ ..]
                 if others.iter().all(|&other| piece(other).line == piece(*first).line) =>
             {
-                self.append(question, follow_line(pieces, group));
+                let followed = follow_line(pieces, group);
+                self.append(question, group.iter().copied().zip(followed));
             }
             _ => {
-                self.append(question, ImageLine::new(question, predicates, pieces, group).resolve())
+                let parts = ImageLine::new(question, predicates, pieces, group).resolve();
+                let parts = parts.into_iter().map(|(member, part)| (group[member as usize], part));
+                self.append(question, parts);
             }
         }
     }
@@ -98,10 +122,11 @@ impl Resolved {
     fn append(
         &mut self,
         question: &LineQuestion<'_>,
-        group: impl IntoIterator<Item = RoundedPiece>,
+        group: impl IntoIterator<Item = (u32, RoundedPiece)>,
     ) {
         let first = self.runs;
-        for piece in group {
+        for (index, piece) in group {
+            self.indices.push(index);
             self.runs = self.runs.max(first + piece.run + 1);
             let run = first + piece.run;
             if let Some(origins) = &mut self.origins {
@@ -109,55 +134,6 @@ impl Resolved {
             }
             self.pieces.push(line_piece(question, &RoundedPiece { run, ..piece }));
         }
-    }
-}
-
-/// Pieces that have to be looked at together.
-struct Groups {
-    members: Vec<u32>,
-    /// End of each group in `members`.
-    ends: Vec<u32>,
-}
-
-impl Groups {
-    fn len(&self) -> usize {
-        self.ends.len()
-    }
-
-    fn get(&self, group: usize) -> &[u32] {
-        let start = if group == 0 { 0 } else { self.ends[group - 1] };
-        &self.members[start as usize..self.ends[group] as usize]
-    }
-
-    /// The trees of `parents`, in the order of their roots, which are their
-    /// smallest members; members in ascending order.
-    fn of_trees(mut parents: Vec<u32>) -> Self {
-        let mut ends = Vec::with_capacity(parents.len());
-        let mut group_of = vec![0_u32; parents.len()];
-        for piece in 0..parents.len() {
-            let root = root(&mut parents, piece as u32) as usize;
-            if root == piece {
-                group_of[piece] = ends.len() as u32;
-                ends.push(0);
-            } else {
-                group_of[piece] = group_of[root];
-            }
-            ends[group_of[piece] as usize] += 1;
-        }
-        let mut next = Vec::with_capacity(ends.len());
-        let mut sum = 0;
-        for end in &mut ends {
-            next.push(sum);
-            sum += *end;
-            *end = sum;
-        }
-        let mut members = vec![0; parents.len()];
-        for (piece, group) in group_of.into_iter().enumerate() {
-            let slot = &mut next[group as usize];
-            members[*slot as usize] = piece as u32;
-            *slot += 1;
-        }
-        Groups { members, ends }
     }
 }
 
@@ -176,122 +152,6 @@ fn follow_line(pieces: &[RoundedPiece], group: &[u32]) -> Vec<RoundedPiece> {
     result
 }
 
-/// Gathers collinear pieces that touch. Every piece is in one group; groups
-/// are ordered by their first piece and sorted within.
-fn groups_of<P: Policy>(
-    question: &LineQuestion<'_>,
-    pieces: &[RoundedPiece],
-    run: &Run<'_>,
-) -> Groups {
-    let hierarchy = image_hierarchy(pieces);
-    let found = hierarchy.overlapping_pairs(
-        || (Predicates::<P>::new(question.points), Vec::new()),
-        |(predicates, pairs), a, b| {
-            let (first, second) = (&pieces[a as usize], &pieces[b as usize]);
-            if first.line == second.line || are_collinear(question, predicates, first, second) {
-                pairs.push([a, b]);
-            }
-        },
-    );
-    let mut parents: Vec<u32> = (0..pieces.len() as u32).collect();
-    for (predicates, pairs) in found {
-        run.merge(&predicates.counters());
-        run.count("collinear-pairs", pairs.len() as u64);
-        for [a, b] in pairs {
-            let (a, b) = (root(&mut parents, a), root(&mut parents, b));
-            // The smaller number is the root, so groups know their first.
-            parents[a.max(b) as usize] = a.min(b);
-        }
-    }
-    Groups::of_trees(parents)
-}
-
-/// The root of a tree of parents, halving the path on the way.
-fn root(parents: &mut [u32], mut node: u32) -> u32 {
-    while parents[node as usize] != node {
-        parents[node as usize] = parents[parents[node as usize] as usize];
-        node = parents[node as usize];
-    }
-    node
-}
-
-/// Boxes of the pieces in the image, rounded outward. The third side of a
-/// box is the direction of the piece: collinear pieces agree in that too, and
-/// so most pairs of neighbours are never looked at.
-fn image_hierarchy(pieces: &[RoundedPiece]) -> Hierarchy {
-    let empty = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    let (low, high) = pieces
-        .iter()
-        .flat_map(|piece| piece.image)
-        .fold(empty, |(low, high), p| (low.min(p), high.max(p)));
-    let rounding = Rounding::for_ranges([low.x..high.x, low.y..high.y, -1.0..1.0]);
-    let bounds = |i: usize| {
-        let [a, b] = pieces[i].image;
-        let slack = DVec2::splat(pieces[i].slack);
-        let direction = direction_range(b - a, pieces[i].slack);
-        let (low, high) = (a.min(b) - slack, a.max(b) + slack);
-        rounding.around(low.extend(direction[0]), high.extend(direction[1]))
-    };
-    let place = |i: usize| {
-        let start = pieces[i].image[0];
-        Vec3A::new(rounding.nearest(0, start.x), rounding.nearest(1, start.y), 0.0)
-    };
-    Hierarchy::of(pieces.len(), place, bounds)
-}
-
-/// The range of a piece's direction, either way along it being the same: a
-/// number from -1 to 1 that grows with the angle over half a turn. `along`
-/// may be off by twice `slack` in each coordinate. All of the range where
-/// the direction is not known, or is near the one at which it starts anew.
-fn direction_range(along: DVec2, slack: f64) -> [f64; 2] {
-    /// Turns the start of the range away from the directions of drawings.
-    const TURN: DVec2 = DVec2::new(0.540_302_305_868_139_8, 0.841_470_984_807_896_5);
-    let turned = TURN.rotate(along);
-    let turned = if turned.x < 0.0 { -turned } else { turned };
-    let size = turned.x + turned.y.abs();
-    // Turning lets an error grow to at most 1.5 times in each coordinate;
-    // the quotient changes by at most the errors over the size.
-    let error = 8.0 * slack;
-    let middle = turned.y / size;
-    let reach = error / (size - error) + 16.0 * f64::EPSILON;
-    // Not comparable, for a piece that is a point, is all of the range.
-    if size > 2.0 * error && middle.abs() + reach < 1.0 {
-        [middle - reach, middle + reach]
-    } else {
-        [-1.0, 1.0]
-    }
-}
-
-/// Whether the images of two pieces lie on one line.
-fn are_collinear<P: Policy>(
-    question: &LineQuestion<'_>,
-    predicates: &Predicates<'_, P>,
-    first: &RoundedPiece,
-    second: &RoundedPiece,
-) -> bool {
-    if clearly_off(first, second) || clearly_off(second, first) {
-        return false;
-    }
-    let [a, b] = [first, second].map(|p| question.carrier(&question.lines[p.line as usize]));
-    b.ends.iter().all(|&end| predicates.image_side_of_point(a, end).is_zero())
-}
-
-/// Whether an end of `other` is off the line of `piece` by more than
-/// rounding can explain.
-fn clearly_off(piece: &RoundedPiece, other: &RoundedPiece) -> bool {
-    let [start, end] = piece.image;
-    let along = end - start;
-    other.image.iter().any(|&point| {
-        let offset = point - start;
-        let off = along.perp_dot(offset).abs();
-        // Ends are off by at most their slack in each coordinate; the
-        // product's own roundings are far below.
-        let reach = along.abs().element_sum() + offset.abs().element_sum();
-        let slack = 4.0 * (piece.slack + other.slack);
-        off > reach * slack + slack * slack
-    })
-}
-
 /// A place on the image line: an end of a piece.
 #[derive(Clone, Copy)]
 struct Stop {
@@ -303,6 +163,8 @@ struct Stop {
     piece: u32,
     /// Whether the piece begins here, along the reference.
     begins: bool,
+    /// Whether the piece is hidden.
+    hidden: bool,
 }
 
 /// The pieces of one image line, to be resolved.
@@ -316,6 +178,8 @@ struct ImageLine<'a, P: Policy> {
     /// Best first.
     rank: Vec<u32>,
     stops: Vec<Stop>,
+    /// For each piece whether it runs against the reference.
+    against: Vec<bool>,
     perspective: bool,
 }
 
@@ -339,6 +203,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             direction: to - from,
             rank: ranks(question, &pieces),
             stops: Vec::with_capacity(2 * pieces.len()),
+            against: Vec::with_capacity(pieces.len()),
             perspective: question.points.is_perspective(),
             pieces,
         };
@@ -358,11 +223,13 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             slack: piece.slack,
             piece: index,
             begins: end == 0,
+            hidden: 0 < piece.invisibility,
         });
         if self.compare(&stops[0], &stops[1]) == Ordering::Greater {
             stops[0].begins = false;
             stops[1].begins = true;
         }
+        self.against.push(stops[1].begins);
         self.stops.extend(stops);
     }
 
@@ -386,36 +253,52 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         )
     }
 
-    /// Draws each stretch once.
-    fn resolve(mut self) -> Vec<RoundedPiece> {
+    /// Draws each stretch once: parts of pieces with the indices of these,
+    /// in their order and along them.
+    fn resolve(mut self) -> Vec<(u32, RoundedPiece)> {
         let mut stops = std::mem::take(&mut self.stops);
         stops.sort_by(|a, b| self.compare(a, b));
         let mut active: BTreeSet<(u32, u32)> = BTreeSet::new();
-        let mut result: Vec<RoundedPiece> = Vec::new();
-        let mut drawn: Option<(u32, Stop)> = None;
+        let mut result: Vec<(u32, RoundedPiece)> = Vec::new();
+        let mut drawn: Option<((u32, bool), Stop)> = None;
+        let mut outlines = 0;
         let mut run = 0;
         for group in stops.chunk_by(|a, b| self.compare(a, b) == Ordering::Equal) {
             for stop in group {
                 let entry = (self.rank[stop.piece as usize], stop.piece);
+                let own = i32::from(self.pieces[stop.piece as usize].outline);
                 if stop.begins {
                     active.insert(entry);
+                    outlines += own;
                 } else {
                     active.remove(&entry);
+                    outlines -= own;
                 }
             }
-            let best = active.first().map(|&(_, piece)| piece);
+            // What is an outline to any of the lines is one.
+            let best = active.first().map(|&(_, piece)| (piece, outlines > 0));
             if best != drawn.map(|(piece, _)| piece) {
-                let stop = representative(group);
-                if let Some((piece, from)) = drawn {
-                    result.push(self.stretch(piece, &from, &stop, run));
+                if let Some(((piece, outline), from)) = drawn {
+                    let stretch = self.stretch(piece, &from, &self.stop_of(piece, group), run);
+                    result.push((piece, RoundedPiece { outline, ..stretch }));
                     run += u32::from(best.is_none());
                 }
-                drawn = best.map(|piece| (piece, stop));
+                drawn = best.map(|best| (best, self.stop_of(best.0, group)));
             }
         }
-        // Pieces come out line by line, as they went in.
-        result.sort_by_key(|piece| piece.line);
+        // Pieces come out as they went in.
+        result.sort_by_key(|(piece, _)| *piece);
+        for parts in result.chunk_by_mut(|(one, _), (other, _)| one == other) {
+            if self.against[parts[0].0 as usize] {
+                parts.reverse();
+            }
+        }
         result
+    }
+
+    /// The stop where a piece ends that stands for all stops of one place.
+    fn stop_of(&self, piece: u32, group: &[Stop]) -> Stop {
+        representative(group, 0 < self.pieces[piece as usize].invisibility)
     }
 
     /// The stretch of a piece between two stops, in the sense of its line.
@@ -455,9 +338,10 @@ fn length(piece: &RoundedPiece) -> f64 {
     piece.image[0].distance(piece.image[1])
 }
 
-/// The stop whose rounded point stands for all stops of one place: a vertex
-/// if there is one, for other lines end in it too.
-fn representative(group: &[Stop]) -> Stop {
+/// The stop whose rounded point stands for all stops of one place, or of the
+/// visible pieces there: a vertex if there is one, for other lines end in it
+/// too.
+fn representative(group: &[Stop], hidden: bool) -> Stop {
     let key = |stop: &Stop| matches!(stop.place, Place::Cut(_));
     let order = |a: &&Stop, b: &&Stop| {
         key(a)
@@ -466,7 +350,7 @@ fn representative(group: &[Stop]) -> Stop {
             .then(a.image.y.total_cmp(&b.image.y))
             .then(a.depth.total_cmp(&b.depth))
     };
-    group.iter().min_by(order).copied().unwrap_or(group[0])
+    group.iter().filter(|stop| hidden || !stop.hidden).min_by(order).copied().unwrap_or(group[0])
 }
 
 /// The rank of each piece: which one is drawn where several coincide.
