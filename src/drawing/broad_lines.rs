@@ -180,9 +180,9 @@ mod tests {
                 let wide = strokes(&[points]);
                 let drawn = side_by_side(&wide, width, pen);
                 let (mut wanted, mut covered) = (0.0, 0.0);
-                let step = 0.023;
-                for i in -60..300 {
-                    for j in -60..200 {
+                let step = 0.061;
+                for i in -23..110 {
+                    for j in -23..75 {
                         let point = step * DVec2::new(f64::from(i), f64::from(j));
                         let off = distance(&wide, point) - 0.5 * width;
                         let ink = distance(&drawn, point) - 0.5 * pen;
