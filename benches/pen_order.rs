@@ -250,6 +250,7 @@ fn piece(ends: [(u32, u32); 2], run: u32) -> LinePiece {
     LinePiece {
         class: LineClass::Mesh,
         invisibility: 0,
+        outline: false,
         points: ends.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y))),
         depth: [0.0; 2],
         object: 0,

@@ -33,7 +33,8 @@ pub(super) const SINGLE: u32 = u32::MAX;
 /// Where other polylines meet it there it is a point still if `junctions`
 /// asks for those, as what is to be smoothed or ordered does.
 pub(super) fn chain(segments: &[[DVec2; 2]], runs: &[u32], junctions: bool) -> Strokes {
-    let (partners, busy) = pair_ends(segments);
+    let place = |end| Some(key(point(segments, end)));
+    let (partners, busy) = pair_ends(segments, place);
     let mut drawn = vec![false; segments.len()];
     let mut strokes = Strokes::default();
     let mut points = Vec::new();
@@ -109,12 +110,17 @@ fn first_end(partners: &[u32], segment: usize) -> u32 {
 
 /// For each end (2 i and 2 i + 1 are those of segment i) the end with which
 /// its polyline goes on, and whether three ends or more meet where it is.
-fn pair_ends(segments: &[[DVec2; 2]]) -> (Vec<u32>, Vec<bool>) {
+/// Ends meet that have the same `place`; those without one meet none.
+pub(super) fn pair_ends<const K: usize>(
+    segments: &[[DVec2; 2]],
+    place: impl Fn(u32) -> Option<[u64; K]> + Sync + Send,
+) -> (Vec<u32>, Vec<bool>) {
     let count = 2 * segments.len();
     let buckets = (count / BUCKET).next_power_of_two();
-    let parts = map_chunks(count, PART, |part| Dealt::new(segments, part, buckets));
+    let parts = map_chunks(count, PART, |part| Dealt::new(&place, part, buckets));
     let pairs = map_indexed(buckets, |bucket| {
-        let ends: Vec<End> = parts.iter().flat_map(|part| part.bucket(bucket)).copied().collect();
+        let ends: Vec<End<K>> =
+            parts.iter().flat_map(|part| part.bucket(bucket)).copied().collect();
         pair_bucket(segments, &ends)
     });
     let mut partners = vec![SINGLE; count];
@@ -136,53 +142,57 @@ const BUCKET: usize = 1 << 13;
 /// Ends that one task deals into buckets.
 const PART: usize = 1 << 16;
 
-/// An end and where it lies: [`key`] of its point.
-#[derive(Debug, Clone, Copy, Default)]
-struct End {
-    key: [u64; 2],
+/// An end and where it lies.
+#[derive(Debug, Clone, Copy)]
+struct End<const K: usize> {
+    key: [u64; K],
     number: u32,
 }
 
 /// Some of the ends, dealt into buckets by the hashes of their points.
-struct Dealt {
-    ends: Vec<End>,
+struct Dealt<const K: usize> {
+    ends: Vec<End<K>>,
     /// Where each bucket starts in `ends`, and where the last one stops.
     starts: Vec<u32>,
 }
 
-impl Dealt {
-    fn new(segments: &[[DVec2; 2]], part: Range<usize>, buckets: usize) -> Self {
+impl<const K: usize> Dealt<K> {
+    fn new(place: impl Fn(u32) -> Option<[u64; K]>, part: Range<usize>, buckets: usize) -> Self {
         let bucket_of =
-            |key: [u64; 2]| (FxBuildHasher.hash_one(key) >> 32) as usize & (buckets - 1);
-        let ends = |number: usize| {
+            |key: [u64; K]| (FxBuildHasher.hash_one(key) >> 32) as usize & (buckets - 1);
+        let ends = part.filter_map(|number| {
             let number = number as u32;
-            End { key: key(point(segments, number)), number }
-        };
+            place(number).map(|key| End { key, number })
+        });
         let mut starts = vec![0; buckets + 1];
-        part.clone().for_each(|end| starts[bucket_of(ends(end).key) + 1] += 1);
+        let ends: Vec<(usize, End<K>)> = ends.map(|end| (bucket_of(end.key), end)).collect();
+        ends.iter().for_each(|(bucket, _)| starts[bucket + 1] += 1);
         let mut sum = 0;
         for start in &mut starts {
             sum += *start;
             *start = sum;
         }
         let mut fill = starts.clone();
-        let mut dealt = vec![End::default(); part.len()];
-        for end in part.map(ends) {
-            let slot = &mut fill[bucket_of(end.key)];
+        let mut dealt = vec![End { key: [0; K], number: 0 }; ends.len()];
+        for (bucket, end) in ends {
+            let slot = &mut fill[bucket];
             dealt[*slot as usize] = end;
             *slot += 1;
         }
         Dealt { ends: dealt, starts }
     }
 
-    fn bucket(&self, bucket: usize) -> &[End] {
+    fn bucket(&self, bucket: usize) -> &[End<K>] {
         &self.ends[self.starts[bucket] as usize..self.starts[bucket + 1] as usize]
     }
 }
 
 /// Pairs the ends of one bucket, which holds all ends of each of its joints.
 /// Beside the pairs, the ends at joints of three or more.
-fn pair_bucket(segments: &[[DVec2; 2]], ends: &[End]) -> (Vec<[u32; 2]>, Vec<u32>) {
+fn pair_bucket<const K: usize>(
+    segments: &[[DVec2; 2]],
+    ends: &[End<K>],
+) -> (Vec<[u32; 2]>, Vec<u32>) {
     let (joint_of, starts) = find_joints(ends);
     // Counting sort of the ends by joint: `fill` runs ahead of `starts`.
     let mut fill = starts.clone();
@@ -210,8 +220,8 @@ fn pair_bucket(segments: &[[DVec2; 2]], ends: &[End]) -> (Vec<[u32; 2]>, Vec<u32
 
 /// The joint of each of some ends, and where each joint's ends start if the
 /// ends are sorted by joint. Joints are numbered as they first appear.
-fn find_joints(ends: &[End]) -> (Vec<u32>, Vec<u32>) {
-    let mut known: FxHashMap<[u64; 2], u32> = FxHashMap::default();
+fn find_joints<const K: usize>(ends: &[End<K>]) -> (Vec<u32>, Vec<u32>) {
+    let mut known: FxHashMap<[u64; K], u32> = FxHashMap::default();
     known.reserve(ends.len() / 2);
     let mut joint_of = Vec::with_capacity(ends.len());
     let mut degrees: Vec<u32> = Vec::new();

@@ -24,6 +24,7 @@
 //! What is shorter than a dash, or has no room for a gap, is drawn solid.
 
 use super::{Dash, Strokes, is_closed};
+use crate::run::map_chunks;
 use glam::DVec2;
 
 /// Square of the cosine of 30 degrees: where a corner begins.
@@ -34,15 +35,21 @@ pub(super) fn dashed(strokes: &Strokes, dash: Dash, width: f64) -> Strokes {
     let Some(pattern) = Pattern::new(dash, width) else {
         return strokes.clone();
     };
-    let mut dashes = Strokes::default();
-    for stroke in strokes.iter() {
-        let path = Path::new(stroke);
-        for [from, to] in pattern.along(&path) {
-            path.draw(from, to, &mut dashes);
+    let parts = map_chunks(strokes.len(), PART, |part| {
+        let mut dashes = Strokes::default();
+        for index in part {
+            let path = Path::new(strokes.get(index));
+            for [from, to] in pattern.along(&path) {
+                path.draw(from, to, &mut dashes);
+            }
         }
-    }
-    dashes
+        dashes
+    });
+    Strokes::concat(&parts)
 }
+
+/// Strokes that one task cuts into dashes.
+const PART: usize = 512;
 
 /// Dashes and gaps in line widths, and the width.
 struct Pattern {

@@ -47,7 +47,7 @@ impl Layering<'_> {
     /// painting, the deepest hidden ones first; none is empty. O(n).
     pub(super) fn plan(&self, lines: &VisibleLines) -> Vec<LayerPlan> {
         let groups = Groups::new(lines, self.options.layer_by);
-        let mut known: FxHashMap<[u32; 4], usize> = FxHashMap::default();
+        let mut known: FxHashMap<[u32; 5], usize> = FxHashMap::default();
         let mut buckets: Vec<Bucket> = Vec::new();
         for (index, piece) in lines.pieces.iter().enumerate() {
             if !self.draws(piece) {
@@ -58,7 +58,7 @@ impl Layering<'_> {
                 Some(weights) if level == 0 => weights.step(piece) as u32,
                 _ => 0,
             };
-            let key = [level, step, piece.object, piece.class as u32];
+            let key = [level, step, piece.object, piece.class as u32, u32::from(piece.outline)];
             let bucket = *known.entry(key).or_insert_with(|| {
                 let name = lines.objects.get(piece.object as usize).map_or("", String::as_str);
                 let look = self.styles.look(piece, name, self.options, self.weights);

@@ -28,12 +28,16 @@
 //! Where regions are given too, `surfaces` fills what is seen of a face and
 //! `hatching` covers it with lines.
 //!
+//! `broad_lines`, on request, makes strokes side by side of lines that are
+//! wider than the pen.
+//!
 //! `cutting`, on request too, cuts strokes to what a plotter reaches.
 //!
 //! Nothing is decided here: which parts of a line are seen is settled, and
 //! floating point only places them. Coordinates are rounded to decimals or
 //! plotter units later, once, by the exporter.
 
+mod broad_lines;
 mod chaining;
 mod cropping;
 mod cutting;

@@ -149,6 +149,9 @@ pub struct DrawingOptions {
     pub halo: Length,
     /// Widths of visible lines by depth or class, in place of one width.
     pub weight: Option<Weight>,
+    /// Width of the outer outline, where that was looked for; 0 is that of
+    /// other visible lines.
+    pub outline: Length,
     /// Which segments may be joined to one stroke.
     pub join: Join,
     /// Whether strokes keep a point on a straight line where others meet it.
@@ -185,6 +188,7 @@ impl Default for DrawingOptions {
             hidden_by: HiddenBy::Together,
             halo: Length::from_millimetres(0.0),
             weight: None,
+            outline: Length::from_millimetres(0.0),
             join: Join::All,
             junctions: false,
             min_length: Length::from_millimetres(0.0),
@@ -193,6 +197,13 @@ impl Default for DrawingOptions {
             visible_width: 0.5,
             hidden_width: 0.25,
         }
+    }
+}
+
+impl DrawingOptions {
+    /// The width of the outer outline, mm, if it has one of its own.
+    pub(super) fn outline_width(&self) -> Option<f64> {
+        Some(self.outline.millimetres()).filter(|width| *width != 0.0)
     }
 }
 

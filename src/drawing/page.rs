@@ -153,7 +153,8 @@ impl Drawing {
         let stepped = weights.iter().flat_map(|weights| weights.widths.iter().copied());
         let widths = plans.iter().map(|plan| plan.look.width).chain(stepped);
         let asked = [options.visible_width, options.hidden_width];
-        if let Some(width) = asked.into_iter().chain(widths).find(|w| !PEN_WIDTHS.contains(w)) {
+        let asked = asked.into_iter().chain(options.outline_width());
+        if let Some(width) = asked.chain(widths).find(|w| !PEN_WIDTHS.contains(w)) {
             return Err(DrawingError::PenWidth(width));
         }
         let placement = Placement::new(&drawn, &plans, regions, options)?;
@@ -175,7 +176,7 @@ impl Drawing {
             (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
-        let finished = plans.iter().zip(solid).map(|(plan, solid)| finish(plan, solid));
+        let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i]));
         let light = Light::new(&lines.frame, surfaces);
         let place = |point| placement.apply(point);
         let mut hatched = Vec::new();
@@ -243,10 +244,10 @@ fn hatch_layer(strokes: Strokes, plans: &[LayerPlan], options: &DrawingOptions) 
 }
 
 /// A layer of joined strokes in its style.
-fn finish(plan: &LayerPlan, solid: Strokes) -> Layer {
+fn finish(plan: &LayerPlan, solid: &Strokes) -> Layer {
     let look = &plan.look;
     let strokes = match look.dash {
-        Dash::Continuous => solid,
+        Dash::Continuous => solid.clone(),
         dash => dashed(&solid.flat(FLATNESS), dash, look.width),
     };
     let style = LineStyle { width: look.width, color: look.color };

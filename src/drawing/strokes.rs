@@ -1,5 +1,6 @@
 //! Polylines, and curves among them, in flat arrays.
 
+use crate::run::concat_map;
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurve, Point};
 use std::borrow::Cow;
@@ -87,6 +88,24 @@ impl Strokes {
         if curved && first < self.ends.len() {
             self.bends.resize(self.points.len(), None);
             self.bends[start + 1..].copy_from_slice(&bends[1..]);
+        }
+    }
+
+    /// The strokes of all parts, none of which has curves, one part after the
+    /// other.
+    pub(super) fn concat(parts: &[Self]) -> Self {
+        let mut first = Vec::with_capacity(parts.len());
+        let mut sum = 0;
+        for part in parts {
+            first.push(sum);
+            sum += part.points.len();
+        }
+        let points: Vec<&[DVec2]> = parts.iter().map(|part| &part.points[..]).collect();
+        let ends: Vec<&[usize]> = parts.iter().map(|part| &part.ends[..]).collect();
+        Strokes {
+            points: concat_map(&points, |_, point| *point),
+            ends: concat_map(&ends, |part, end| end + first[part]),
+            bends: Vec::new(),
         }
     }
 

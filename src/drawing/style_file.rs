@@ -11,6 +11,9 @@
 //! [class.crease]
 //! width = "0.25mm"
 //!
+//! [outline]                 # where visible lines part the picture from the background
+//! width = "0.7mm"
+//!
 //! [object."wheel*"]         # * stands for any characters
 //! pen = 3                   # rules apply in the order of their names
 //! crease = 20               # degrees; also: exclude = true, see-through = true
@@ -48,6 +51,7 @@ pub fn read_styles(text: &str) -> Result<Styles, DrawingError> {
         visible: table.visible.rule()?,
         hidden: hidden?,
         classes: classes?,
+        outline: table.outline.rule()?,
         objects: objects?,
     })
 }
@@ -61,6 +65,8 @@ struct StylesText {
     hidden: Vec<LineText>,
     #[serde(default)]
     class: BTreeMap<String, LineText>,
+    #[serde(default)]
+    outline: LineText,
     #[serde(default)]
     object: BTreeMap<String, ObjectText>,
 }

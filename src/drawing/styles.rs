@@ -2,8 +2,8 @@
 //!
 //! A piece has one look. It begins with the widths of the options; weight,
 //! then the rule for visible lines or for the level of hidden ones, then
-//! that of the class, then those of the object each overrule what they
-//! name. Of hidden lines, classes and objects decide the pen and the colour
+//! that of the class, then what is asked of the outer outline, then those of
+//! the object each overrule what they name. Of hidden lines, classes and objects decide the pen and the colour
 //! only: what is hidden looks hidden.
 
 use super::weight::Weights;
@@ -50,6 +50,8 @@ pub struct Styles {
     pub hidden: Vec<LineRule>,
     /// For visible lines of classes.
     pub classes: Vec<(LineClass, LineRule)>,
+    /// For the outer outline, where that was looked for.
+    pub outline: LineRule,
     /// For objects; later rules overrule earlier ones.
     pub objects: Vec<ObjectRule>,
 }
@@ -103,6 +105,10 @@ impl Styles {
         let narrowed = |rule: &LineRule| if level == 0 { *rule } else { color_and_pen(rule) };
         for (_, rule) in self.classes.iter().filter(|(class, _)| *class == piece.class) {
             look.apply(&narrowed(rule));
+        }
+        if piece.outline {
+            look.width = options.outline_width().unwrap_or(look.width);
+            look.apply(&self.outline);
         }
         for rule in self.objects.iter().filter(|rule| matches(&rule.name, object)) {
             look.apply(&narrowed(&rule.line));

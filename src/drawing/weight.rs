@@ -18,6 +18,7 @@
 
 use super::DrawingError;
 use super::length::{parse_number, split_unit};
+use crate::run::{concat_map, map_chunks};
 use crate::view::{LineClass, LinePiece, Projection, VisibleLines};
 use std::str::FromStr;
 
@@ -26,6 +27,9 @@ const ERROR: f64 = 0.05;
 
 /// The most steps.
 const MOST: u32 = 64;
+
+/// Pieces that one task cuts.
+const PART: usize = 1 << 13;
 
 /// What the width of a line follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -149,13 +153,18 @@ impl Weights {
 
     /// The lines with visible ones cut wherever their step changes.
     pub(super) fn split(&self, lines: &VisibleLines) -> VisibleLines {
-        let mut pieces = Vec::with_capacity(lines.pieces.len());
-        for piece in &lines.pieces {
-            match self.by {
-                WeightBy::Depth if piece.is_visible() => self.split_piece(piece, &mut pieces),
-                _ => pieces.push(*piece),
+        let parts = map_chunks(lines.pieces.len(), PART, |part| {
+            let mut pieces = Vec::with_capacity(part.len());
+            for piece in &lines.pieces[part] {
+                match self.by {
+                    WeightBy::Depth if piece.is_visible() => self.split_piece(piece, &mut pieces),
+                    _ => pieces.push(*piece),
+                }
             }
-        }
+            pieces
+        });
+        let parts: Vec<&[LinePiece]> = parts.iter().map(Vec::as_slice).collect();
+        let pieces = concat_map(&parts, |_, piece| *piece);
         let (objects, counters) = (lines.objects.clone(), lines.counters.clone());
         VisibleLines { frame: lines.frame, objects, pieces, counters }
     }

@@ -149,6 +149,9 @@ pub enum ExportError {
     /// A JSON drawing in a unit that nobody here has heard of.
     #[error("the unit is `{0}`; expected mm, cm, m or in")]
     Unit(String),
+    /// A JSON drawing with the outline of nobody knows what.
+    #[error("the outline is that of `{0}`; expected scene or objects")]
+    Outline(String),
     /// A JSON drawing with a frame of no known kind.
     #[error("the frame's kind is `{0}`; expected `orthographic` or `perspective`")]
     FrameKind(String),

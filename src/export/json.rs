@@ -11,12 +11,13 @@
 //! whether hidden lines were looked for, so that a page made of the file is
 //! the page made of the models; `crossings`, if halos were asked for: pairs of
 //! lines by their number, the first passing in front of the second; for oblique views `shear`, and for
-//! perspective ones `half_height`, the tangent of half the field of view.
+//! perspective ones `half_height`, the tangent of half the field of view. Where
+//! the outer outline was looked for, `outline` says whose, and stands as true in lines that are part of it.
 
 use super::ExportError;
 use crate::model::Unit;
 use crate::run::{Counters, map_chunks};
-use crate::view::{Crossing, Frame, LinePiece, LineSource, Projection, VisibleLines};
+use crate::view::{Crossing, Frame, LinePiece, LineSource, OutlineOf, Projection, VisibleLines};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -42,6 +43,8 @@ pub struct DrawingNotes {
     /// Whether hidden lines were asked for. Where they were not, there are
     /// none, whatever is hidden.
     pub hidden: Option<bool>,
+    /// Whose outer outline was looked for. If none was, no line is one.
+    pub outline: Option<OutlineOf>,
     /// Where lines pass in front of others, if that was asked for.
     pub crossings: Option<Vec<Crossing>>,
 }
@@ -76,6 +79,10 @@ pub fn to_json_with_notes(
     if let Some(hidden) = notes.hidden {
         text.extend_from_slice(b",\n\"hidden\":");
         push(&mut text, &hidden)?;
+    }
+    if let Some(of) = notes.outline {
+        text.extend_from_slice(b",\n\"outline\":");
+        push(&mut text, &of.name())?;
     }
     text.extend_from_slice(b",\n\"objects\":");
     push(&mut text, &lines.objects)?;
@@ -166,6 +173,8 @@ pub(super) struct LineText<'a> {
     pub(super) class: Cow<'a, str>,
     pub(super) visible: bool,
     pub(super) invisibility: u32,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub(super) outline: bool,
     pub(super) points: [[f64; 2]; 2],
     pub(super) depth: [f64; 2],
     #[serde(borrow)]
@@ -214,6 +223,7 @@ impl<'a> LineText<'a> {
             class: piece.class.name().into(),
             visible: piece.is_visible(),
             invisibility: piece.invisibility,
+            outline: piece.outline,
             points: piece.points.map(|point| unsigned_zeros(point.to_array())),
             depth: unsigned_zeros(piece.depth),
             object: object.into(),

@@ -10,7 +10,9 @@ use super::ExportError;
 use super::json::{DrawingNotes, FORMAT, FrameText, LineText, ORTHOGRAPHIC, PERSPECTIVE};
 use crate::model::Unit;
 use crate::run::Counters;
-use crate::view::{Crossing, Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use crate::view::{
+    Crossing, Frame, LineClass, LinePiece, LineSource, OutlineOf, Projection, VisibleLines,
+};
 use glam::{DVec2, DVec3};
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
@@ -45,6 +47,7 @@ pub fn read_drawing_with_notes(bytes: &[u8]) -> Result<(VisibleLines, DrawingNot
     let notes = DrawingNotes {
         unit: read_unit(text.unit)?,
         hidden: text.hidden,
+        outline: read_outline(text.outline)?,
         crossings: crossings.transpose()?,
     };
     let mut objects = Objects::new(text.objects);
@@ -74,6 +77,7 @@ struct DrawingText<'a> {
     frame: FrameText<'a>,
     unit: Option<&'a str>,
     hidden: Option<bool>,
+    outline: Option<&'a str>,
     #[serde(default)]
     objects: Vec<String>,
     #[serde(borrow)]
@@ -122,6 +126,13 @@ fn read_unit(name: Option<&str>) -> Result<Option<Unit>, ExportError> {
     name.map(unit).transpose()
 }
 
+fn read_outline(name: Option<&str>) -> Result<Option<OutlineOf>, ExportError> {
+    let of = |name: &str| {
+        OutlineOf::from_name(name).ok_or_else(|| ExportError::Outline(name.to_owned()))
+    };
+    name.map(of).transpose()
+}
+
 fn read_frame(text: &FrameText) -> Result<Frame, ExportError> {
     let projection = match &*text.kind {
         ORTHOGRAPHIC => Projection::Orthographic,
@@ -147,6 +158,9 @@ fn read_line(text: &LineText, object: u32, run: u32) -> Result<LinePiece, &'stat
     if text.visible != (text.invisibility == 0) {
         return Err("`visible` contradicts `invisibility`; expected visible where it is 0");
     }
+    if text.outline && !text.visible {
+        return Err("a hidden line is part of no `outline`; expected visible, or no outline");
+    }
     let source = match (text.edge, text.faces) {
         (Some(vertices), None) => LineSource::Edge(vertices),
         (None, Some(faces)) => LineSource::Faces(faces),
@@ -155,6 +169,7 @@ fn read_line(text: &LineText, object: u32, run: u32) -> Result<LinePiece, &'stat
     Ok(LinePiece {
         class,
         invisibility: text.invisibility,
+        outline: text.outline,
         points: text.points.map(DVec2::from_array),
         depth: text.depth,
         object,

@@ -36,6 +36,15 @@ impl Bounds {
         Bounds { low: self.low.max(other.low), high: self.high.min(other.high) }
     }
 
+    /// The same box, open in depth.
+    #[must_use]
+    pub fn of_any_depth(&self) -> Self {
+        let (mut low, mut high) = (self.low, self.high);
+        low.z = f32::NEG_INFINITY;
+        high.z = f32::INFINITY;
+        Bounds { low, high }
+    }
+
     /// Whether the closed boxes share a point.
     #[inline(always)]
     pub fn overlaps(&self, other: &Self) -> bool {

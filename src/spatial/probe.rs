@@ -26,6 +26,13 @@ impl SegmentProbe {
         SegmentProbe { bounds, start, normal, slack }
     }
 
+    /// The same segment as if it were at any depth: whatever its image meets
+    /// is in front of it.
+    #[must_use]
+    pub fn of_any_depth(self) -> Self {
+        SegmentProbe { bounds: self.bounds.of_any_depth(), ..self }
+    }
+
     /// The outward-rounded box of the segment.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds

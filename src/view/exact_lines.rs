@@ -13,6 +13,9 @@ pub struct ExactPiece {
     /// The number of sheets in front of it: the larger of the counts on
     /// its left and on its right.
     pub invisibility: u32,
+    /// Whether it parts the picture from the background, where that was
+    /// asked; else not.
+    pub outline: bool,
 }
 
 /// Pieces of all lines of a question, line by line and in order along each

@@ -4,6 +4,7 @@
 
 mod crossing;
 mod exact_lines;
+mod outline;
 mod prepare;
 mod question;
 mod regions;
@@ -13,6 +14,7 @@ mod wishes;
 pub use crate::model::{Frame, LineClass, Projection};
 pub use crossing::Crossing;
 pub use exact_lines::{ExactLines, ExactPiece};
+pub use outline::OutlineOf;
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};
 pub use regions::{ImageRegion, ImageRegions, Region, VisibleRegions};

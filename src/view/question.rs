@@ -6,7 +6,8 @@ use crate::model::{
     EdgePiercings, EffectiveEdge, Fans, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh,
     ViewCoordinates,
 };
-use crate::spatial::Hierarchy;
+use crate::run::map_indexed;
+use crate::spatial::{Crossings, Hierarchy};
 
 /// Which parts of which lines are visible? Everything that a method needs,
 /// borrowed; nothing in it is rounded but the frame, which only boxes,
@@ -51,6 +52,14 @@ pub struct Contacts<'a> {
 }
 
 impl LineQuestion<'_> {
+    /// The effective edges by their view boxes. O(n log n).
+    pub fn effective_crossings(&self) -> Crossings {
+        let boxes = map_indexed(self.effective.len(), |i| {
+            self.coordinates.bounds(self.mesh.edges().ends(self.effective[i].edge))
+        });
+        Crossings::new(&boxes)
+    }
+
     /// The segment that carries `line`.
     pub fn carrier(&self, line: &FeatureLine) -> Carrier {
         match line.origin {

@@ -20,6 +20,9 @@ pub struct LinePiece {
     pub class: LineClass,
     /// How many sheets hide it; zero is visible.
     pub invisibility: u32,
+    /// Whether it is visible and part of the outer outline, where that was
+    /// asked; else not.
+    pub outline: bool,
     /// Ends in the view frame.
     pub points: [DVec2; 2],
     /// Depths of the two ends, world units.

@@ -1,17 +1,19 @@
 //! Object-space methods: which parts of which lines are visible, exactly.
 //!
 //! [`appel`] is the product, [`roberts`] the judge; neither imports the
-//! other. [`reduce`] turns their common answer into the lines of a drawing.
-//! [`visible_lines`] does it all. [`visible_regions`] finds what is seen of
-//! each face.
+//! other. [`outlined`] tells outer outlines from other lines, [`reduce`] turns
+//! the common answer into the lines of a drawing. [`visible_lines`] does it
+//! all. [`visible_regions`] finds what is seen of each face.
 
 mod appel;
+mod outline;
 mod reduce;
 mod roberts;
 mod visible_lines;
 mod weiler_atherton;
 
 pub use appel::{AppelOptions, Fault, appel};
+pub use outline::outlined;
 pub use reduce::{reduce, reduce_with_crossings};
 pub use roberts::roberts;
 pub use visible_lines::visible_lines;

@@ -349,6 +349,6 @@ fn push(pieces: &mut Vec<ExactPiece>, from: Place, to: Place, [left, right]: [i3
     let invisibility = left.max(right).max(0) as u32;
     match pieces.last_mut() {
         Some(last) if last.invisibility == invisibility => last.to = to,
-        _ => pieces.push(ExactPiece { from, to, invisibility }),
+        _ => pieces.push(ExactPiece { from, to, invisibility, outline: false }),
     }
 }

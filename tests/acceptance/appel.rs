@@ -236,7 +236,8 @@ fn a_line_through_the_eye_has_no_image() {
 fn a_line_that_ends_on_the_near_plane_ends_there() {
     let view = perspective(DVec3::ZERO, DVec3::Y, 1.0);
     let [on, beyond] = [dvec3(2.0, 1.0, 3.0), dvec3(1.0, 4.0, 3.0)];
-    let whole = vec![ExactPiece { from: Place::Start, to: Place::End, invisibility: 0 }];
+    let whole =
+        vec![ExactPiece { from: Place::Start, to: Place::End, invisibility: 0, outline: false }];
     for line in [[on, beyond], [beyond, on]] {
         assert_eq!(pieces_of_line(line, &view), [whole.clone(), whole.clone()]);
     }

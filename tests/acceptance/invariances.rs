@@ -4,7 +4,8 @@
 //! exact shifts, permuted axes, mirrors, rational rotations, the order of
 //! faces and vertices and their winding change names and places of pieces
 //! in the known way and nothing else. Every soup is drawn twice, and pieces
-//! are matched one to one: class, number of sheets, object, edge, ends.
+//! are matched one to one: class, number of sheets, part of the outline or not,
+//! object, edge, ends.
 //! Pieces of one straight run that differ in nothing are joined first, for
 //! the triangulation of a polygon is not part of its geometry.
 //!
@@ -17,13 +18,18 @@ use glam::{DVec2, DVec3};
 use umriss::kernel::predicates::{Exact, Eye};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::run::Run;
-use umriss::view::{LinePiece, LineSource, PreparedView, VisibleLines};
-use umriss::visibility::{AppelOptions, appel, visible_lines};
+use umriss::view::{LinePiece, LineSource, OutlineOf, PreparedView, VisibleLines};
+use umriss::visibility::{AppelOptions, appel, outlined, reduce};
 
 fn draw(soups: &[Soup], view: &View) -> VisibleLines {
     let mesh = Mesh::new(soups.to_vec(), None).expect("a mesh");
     let options = FeatureOptions::default().with_classes(&LineClass::ALL);
-    visible_lines(&mesh, view, &options, true, &Run::default()).expect("lines")
+    let run = Run::default();
+    let prepared = PreparedView::new::<Exact>(&mesh, view, &options, &run).expect("a view");
+    let question = prepared.question(true);
+    let answer = appel::<Exact>(&question, &AppelOptions::default(), &run).expect("an answer");
+    let answer = outlined::<Exact>(&question, &answer, OutlineOf::Scene, &run).expect("outlines");
+    reduce::<Exact>(&question, &answer, &run).expect("lines")
 }
 
 /// A piece without what depends on names.
@@ -31,6 +37,7 @@ fn draw(soups: &[Soup], view: &View) -> VisibleLines {
 struct Stretch {
     class: LineClass,
     invisibility: u32,
+    outline: bool,
     object: u32,
     source: LineSource,
     points: [DVec2; 2],
@@ -44,13 +51,13 @@ impl Stretch {
             // a tie.
             LineSource::Faces(_) => LineSource::Faces([0, 0]),
         };
-        let LinePiece { class, invisibility, object, points, .. } = *piece;
-        Stretch { class, invisibility, object, source, points }
+        let LinePiece { class, invisibility, outline, object, points, .. } = *piece;
+        Stretch { class, invisibility, outline, object, source, points }
     }
 
     fn is_like(&self, other: &Self) -> bool {
-        (self.class, self.invisibility, self.object, self.source)
-            == (other.class, other.invisibility, other.object, other.source)
+        (self.class, self.invisibility, self.outline, self.object, self.source)
+            == (other.class, other.invisibility, other.outline, other.object, other.source)
     }
 
     fn covers(&self, other: &Self, tolerance: f64) -> bool {

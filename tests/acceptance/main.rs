@@ -3,7 +3,7 @@
 //! Each file takes one promise of the design: the product equals the judge
 //! (`appel`), proposals lose nothing (`crossings`), classes of lines
 //! (`features`), interpenetration (`intersections`), one line where several
-//! coincide (`reduction`), what passes in front (`passing`), what hides
+//! coincide (`reduction`), what borders the background (`outline`), what passes in front (`passing`), what hides
 //! nothing (`see_through`), what must not matter (`invariances`, `threads`),
 //! and scenes that break floating-point programs, looked at once and
 //! compared whole ever since (`degenerate`), and what is seen of faces
@@ -19,6 +19,7 @@ mod degenerate;
 mod features;
 mod intersections;
 mod invariances;
+mod outline;
 mod passing;
 mod reduction;
 mod regions;

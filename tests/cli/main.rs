@@ -4,6 +4,7 @@
 
 mod clip;
 mod fixture;
+mod outlines;
 mod pens;
 mod refusals;
 mod restyling;

@@ -124,3 +124,26 @@ fn a_drawing_out_of_reach_is_refused_with_the_numbers_or_cut() {
     assert!(text.contains(",7721") || text.contains(",0;"), "{text}");
     assert!(folder.text("a.svg").contains("M10 243.5"), "the other outputs are not cut");
 }
+
+#[test]
+fn a_thin_pen_draws_wide_lines_around_and_around() {
+    let folder = Folder::with_cube();
+    let page = "--paper tight --scale 1:1 --precision 9";
+    let length = |flags: &str| {
+        folder.succeeds(&format!("draw cube.obj -o a.svg {page} {flags}"));
+        (drawn_length(&folder.text("a.svg")), folder.text("a.svg"))
+    };
+    let (once, _) = length("");
+    // Lines of 0.5 mm: two strokes of 0.3 mm. Only the ends are longer.
+    let (twice, svg) = length("--pen-width 0.3mm");
+    assert!(svg.contains("stroke-width=\"0.3\"") && !svg.contains("stroke-width=\"0.5\""));
+    assert!(2.0 * once < twice && twice < 2.0 * once + 8.0, "{once} {twice}");
+    assert_eq!(length("--pen-width 0.5mm"), length(""));
+    assert_eq!(length("--pen-width 2mm"), length(""));
+    folder.fails(
+        2,
+        "draw cube.obj -o b.svg --pen-width 0mm",
+        "umriss: invalid value '0mm' for '--pen-width <L>': expected 0.01 mm to 100 mm\n\n\
+         For more information, try '--help'.\n",
+    );
+}

@@ -118,3 +118,48 @@ fn details_side_by_side_have_the_length_of_the_whole() {
     let parts: f64 = corners.iter().map(|c| length(&format!("--frame {c},1.25,0.5"))).sum();
     assert!((parts - whole).abs() < 1e-6 * whole, "{parts} of {whole}");
 }
+
+/// Boxes that touch and cover one another in rows, most of whose lines lie on
+/// others.
+fn heap() -> String {
+    let mut text = String::new();
+    let boxes = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 1], [0, 0, 1], [3, 1, 1]];
+    for (index, low) in boxes.into_iter().enumerate() {
+        text += &format!("o box{index}\n");
+        for corner in 0..8 {
+            let at = |axis: usize| low[axis] + (corner >> axis & 1);
+            text += &format!("v {} {} {}\n", at(0), at(1), at(2));
+        }
+        for face in ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"] {
+            let corner = |c: &str| (c.parse::<usize>().unwrap() + 8 * index).to_string();
+            let face: Vec<String> = face.split(' ').map(corner).collect();
+            text += &format!("f {}\n", face.join(" "));
+        }
+    }
+    text
+}
+
+#[test]
+fn a_drawing_without_its_hidden_lines_is_the_one_that_never_had_any() {
+    let folder = Folder::with_cube();
+    folder.write("heap.obj", &heap());
+    folder.write("wave.obj", &fixture::wave(9));
+    let cameras = ["--view iso", "--view top", "--view cabinet", "--eye 9,-7,5 --target 1,1,0"];
+    for model in ["heap.obj", "wave.obj heap.obj"] {
+        for camera in cameras {
+            let camera = format!("{camera} --edges contour,boundary,crease,mesh,intersection");
+            folder.succeeds(&format!("draw {model} -o a.json {camera} --hidden solid --halo 0"));
+            for style in ["", "--layer-by object", "--halo 1mm --order greedy", "--weight 1..0.2mm"]
+            {
+                let both = |name: &str| format!("-o {name}.svg -o {name}.hpgl --precision 9");
+                folder.succeeds(&format!("draw {model} {camera} {} {style}", both("model")));
+                folder.succeeds(&format!("draw a.json {} {style}", both("json")));
+                for format in ["svg", "hpgl"] {
+                    let [model, json] =
+                        ["model", "json"].map(|name| folder.text(&format!("{name}.{format}")));
+                    assert!(model == json, "{camera} {style}: {format}");
+                }
+            }
+        }
+    }
+}

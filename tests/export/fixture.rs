@@ -51,6 +51,7 @@ fn add(
     pieces.push(LinePiece {
         class,
         invisibility,
+        outline: false,
         points: [DVec2::from(from), DVec2::from(to)],
         depth: [0.0, 1.0 / 3.0],
         object: 0,

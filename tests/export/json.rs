@@ -83,6 +83,7 @@ fn any_piece() -> impl Strategy<Value = LinePiece> {
         |(class, invisibility, [a, b, c, d, e, f], object, source, run)| LinePiece {
             class: LineClass::ALL[class],
             invisibility,
+            outline: invisibility == 0 && run.is_multiple_of(2),
             points: [DVec2::new(a, b), DVec2::new(c, d)],
             depth: [e, f],
             object,

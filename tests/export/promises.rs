@@ -32,6 +32,7 @@ fn pictures() -> impl Strategy<Value = VisibleLines> {
                 class: LineClass::ALL[class],
                 // More often visible than hidden.
                 invisibility: invisibility.saturating_sub(1) * 2,
+                outline: false,
                 points,
                 depth,
                 object,

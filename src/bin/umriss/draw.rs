@@ -23,7 +23,7 @@ use umriss::model::{Scene, Soup};
 use umriss::run::Run;
 use umriss::view::{Crossing, ImageRegions, PreparedView, VisibleLines};
 use umriss::visibility::{
-    RegionOptions, image_regions, reduce, reduce_with_crossings, visible_regions,
+    RegionOptions, image_regions, outlined, reduce, reduce_with_crossings, visible_regions,
 };
 
 const EXAMPLES: &str = "\
@@ -38,6 +38,7 @@ Examples:
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
   umriss draw part.obj -o part.svg --halo 0.8mm --weight 0.7..0.18mm
+  umriss draw part.obj -o part.svg --outline 0.7mm
   umriss draw part.json -o detail.svg --frame 10,-5,30,15 --scale 5:1 --paper tight
   cat part.off | umriss draw - -o - --format svg > part.svg";
 
@@ -48,6 +49,10 @@ computed with --hidden";
 const NO_CROSSINGS: &str = "\
 the drawing was computed without its crossings: expected no --halo, or a drawing that was computed \
 with --halo";
+
+const NO_OUTLINE: &str = "\
+the drawing was computed without its outline: expected no --outline and no rule for it, or a drawing \
+that was computed with --outline";
 
 const OPAQUE_ONLY: &str = "\
 objects are seen through by lines only: expected no --see-through with --fill, --hatch or --method \
@@ -114,7 +119,8 @@ impl Draw {
                 let (lines, crossings);
                 (lines, crossings, regions) = self.find(&scene, hidden, &styles, run)?;
                 let (unit, hidden) = (Some(scene.unit), Some(hidden));
-                (lines, DrawingNotes { unit, hidden, crossings })
+                let outline = self.style.outline_wanted(&styles);
+                (lines, DrawingNotes { unit, hidden, outline, crossings })
             }
             Subject::Drawing(drawing) => {
                 let (lines, mut notes) = *drawing;
@@ -124,6 +130,9 @@ impl Draw {
                 }
                 if self.style.crossings_wanted() && notes.crossings.is_none() {
                     return Err(Failure::usage(NO_CROSSINGS));
+                }
+                if self.style.outline_wanted(&styles).is_some() && notes.outline.is_none() {
+                    return Err(Failure::usage(NO_OUTLINE));
                 }
                 notes.unit = self.model.unit.map(UnitName::unit).or(notes.unit);
                 (lines, notes)
@@ -174,7 +183,10 @@ impl Draw {
             true => Some(visible_regions::<Exact>(&question, &RegionOptions::default(), run)?),
             false => None,
         };
-        let answer = method.answer(&question, regions.as_ref(), run)?;
+        let mut answer = method.answer(&question, regions.as_ref(), run)?;
+        if let Some(of) = self.style.outline_wanted(styles) {
+            answer = outlined::<Exact>(&question, &answer, of, run)?;
+        }
         let (lines, crossings) = if self.style.crossings_wanted() {
             let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, run)?;
             (lines, Some(crossings))
@@ -194,6 +206,7 @@ impl Draw {
             ("the camera", self.camera.any()),
             ("--crease and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
+            ("--outline-of", self.style.outline_of.is_some()),
             ("objects", self.objects.any()),
             ("--fill and --hatch", self.surfaces.any()),
             ("--weld", self.model.weld.is_some()),

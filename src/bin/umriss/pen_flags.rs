@@ -3,7 +3,7 @@
 use crate::plotter_flags::Plotter;
 use crate::session::RunFlags;
 use clap::Args;
-use umriss::drawing::{Drawing, Effort, PenStatistics};
+use umriss::drawing::{Drawing, DrawingError, Effort, Length, PenStatistics};
 use umriss::run::Run;
 
 /// The way of the pen.
@@ -15,6 +15,10 @@ pub(crate) struct PenFlags {
     /// [default: keep]
     #[arg(long, value_name = "HOW", value_parser = str::parse::<Effort>)]
     order: Option<Effort>,
+    /// Width of the pen: wider lines are drawn as strokes side by side, around and around, so
+    /// that one pen draws lines of any width
+    #[arg(long, value_name = "L", value_parser = parse_width)]
+    pen_width: Option<Length>,
 }
 
 impl PenFlags {
@@ -24,7 +28,8 @@ impl PenFlags {
         self.order.unwrap_or(default) != Effort::Keep
     }
 
-    /// Puts the strokes in order and counts what drawing them takes.
+    /// Makes strokes that the pen can draw, puts them in order and counts
+    /// what drawing them takes.
     pub(crate) fn apply(
         &self,
         drawing: &mut Drawing,
@@ -33,6 +38,9 @@ impl PenFlags {
         session: &RunFlags,
         run: &Run<'_>,
     ) {
+        if let Some(width) = self.pen_width {
+            drawing.broaden(width.millimetres());
+        }
         let effort = self.order.unwrap_or(default);
         if let Effort::Time(_) = effort {
             session.note("--order with a time depends on the machine: another run may differ");
@@ -40,6 +48,15 @@ impl PenFlags {
         let strokes = drawing.layers.iter().map(|layer| layer.strokes.len() as u64).sum();
         run.stage("pen order", strokes, || drawing.order(effort));
         count(&PenStatistics::of(drawing), plotter, run);
+    }
+}
+
+/// The width of a pen.
+fn parse_width(text: &str) -> Result<Length, String> {
+    let length: Length = text.parse().map_err(|error: DrawingError| error.to_string())?;
+    match length.millimetres() {
+        0.01..=100.0 => Ok(length),
+        _ => Err("expected 0.01 mm to 100 mm".to_owned()),
     }
 }
 

@@ -31,6 +31,7 @@ pub(crate) fn picture(
         lines.pieces.push(LinePiece {
             class: LineClass::Line,
             invisibility: 0,
+            outline: false,
             points,
             depth: [0.0; 2],
             object,

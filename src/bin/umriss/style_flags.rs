@@ -5,10 +5,11 @@ use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
 use umriss::drawing::{
-    DrawingError, DrawingOptions, HiddenBy, LayerBy, Length, Preset, Styles, Weight, WeightBy,
-    read_styles,
+    DrawingError, DrawingOptions, HiddenBy, LayerBy, Length, LineRule, Preset, Styles, Weight,
+    WeightBy, read_styles,
 };
 use umriss::export::{SvgOptions, SvgProfile};
+use umriss::view::OutlineOf;
 
 /// Looks of lines.
 #[derive(Args)]
@@ -36,6 +37,15 @@ pub(crate) struct StyleFlags {
     #[arg(long, value_name = "N", requires = "weight",
           value_parser = clap::value_parser!(u32).range(1..=64))]
     weight_steps: Option<u32>,
+    /// Width of the outer outline: of visible lines where they part the picture from the empty
+    /// background. A JSON drawing has what it takes only if --outline was given when it was
+    /// computed, 0 will do
+    #[arg(long, value_name = "L", value_parser = parse::<Length>)]
+    outline: Option<Length>,
+    /// Whose outline it is: that of the scene, or of all objects, in front of others too
+    /// [default: scene]
+    #[arg(long, value_name = "OF", value_parser = parse_outline_of)]
+    pub(crate) outline_of: Option<OutlineOf>,
     /// Tell hidden lines apart, in layers and types of line, by how many are in front: sheets
     /// (surfaces), solids (two surfaces each), or together [default: together]
     #[arg(long, value_name = "BY", value_parser = parse::<HiddenBy>)]
@@ -71,6 +81,7 @@ impl StyleFlags {
         DrawingOptions {
             halo: self.halo.unwrap_or(options.halo),
             weight: weight.or(options.weight),
+            outline: self.outline.unwrap_or(options.outline),
             hidden_by: self.hidden_by.unwrap_or(options.hidden_by),
             ..options
         }
@@ -79,6 +90,15 @@ impl StyleFlags {
     /// Whether crossings are to be found: a halo of nothing finds them too.
     pub(crate) fn crossings_wanted(&self) -> bool {
         self.halo.is_some() || 0.0 < self.base().halo.millimetres()
+    }
+
+    /// Whose outline is to be found, if one is: a width of nothing and rules
+    /// for it find it too.
+    pub(crate) fn outline_wanted(&self, styles: &Styles) -> Option<OutlineOf> {
+        let wanted = self.outline.is_some()
+            || self.outline_of.is_some()
+            || styles.outline != LineRule::default();
+        wanted.then(|| self.outline_of.unwrap_or_default())
     }
 
     /// The rules.
@@ -100,6 +120,10 @@ impl StyleFlags {
 
 fn parse<T: FromStr<Err = DrawingError>>(text: &str) -> Result<T, DrawingError> {
     text.parse()
+}
+
+fn parse_outline_of(name: &str) -> Result<OutlineOf, String> {
+    OutlineOf::from_name(name).ok_or_else(|| "expected scene or objects".to_owned())
 }
 
 fn parse_profile(name: &str) -> Result<SvgProfile, String> {

@@ -10,6 +10,7 @@ fn piece(points: [[f64; 2]; 2]) -> LinePiece {
     LinePiece {
         class: LineClass::Crease,
         invisibility: 0,
+        outline: false,
         points: points.map(DVec2::from_array),
         depth: [1.0, 3.0],
         object: 0,

@@ -30,7 +30,7 @@
 mod chains;
 mod stadium;
 
-use crate::run::map_chunks;
+use crate::run::{concat_map, map_chunks, sort_by};
 use crate::view::{Crossing, LinePiece, Projection, VisibleLines};
 use chains::Chains;
 use glam::DVec2;
@@ -48,6 +48,9 @@ const MOST: usize = 4096;
 
 /// Crossings that one task works out.
 const PART: usize = 256;
+
+/// Pieces that one task leaves gaps in.
+const PIECES: usize = 1 << 13;
 
 /// Where along a piece nothing is drawn, from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,17 +80,24 @@ pub(super) fn interrupt(
         gaps
     })
     .concat();
-    gaps.sort_unstable_by(|a, b| {
-        a.piece.cmp(&b.piece).then_with(|| a.range[0].total_cmp(&b.range[0]))
+    // Gaps that are equal in all this are equal.
+    sort_by(&mut gaps, |a, b| {
+        let by = |end: usize| a.range[end].total_cmp(&b.range[end]);
+        a.piece.cmp(&b.piece).then_with(|| by(0)).then_with(|| by(1))
     });
-    let mut pieces = Vec::with_capacity(lines.pieces.len() + gaps.len());
-    let mut rest = &gaps[..];
-    for (index, piece) in lines.pieces.iter().enumerate() {
-        let own = rest.partition_point(|gap| gap.piece as usize == index);
-        let (own, others) = rest.split_at(own);
-        halo.remains(piece, own, &mut pieces);
-        rest = others;
-    }
+    let remains = map_chunks(lines.pieces.len(), PIECES, |part| {
+        let mut pieces = Vec::with_capacity(part.len());
+        let mut rest = &gaps[gaps.partition_point(|gap| (gap.piece as usize) < part.start)..];
+        for index in part {
+            let count = rest.iter().take_while(|gap| gap.piece as usize == index).count();
+            let (own, others) = rest.split_at(count);
+            halo.remains(&lines.pieces[index], own, &mut pieces);
+            rest = others;
+        }
+        pieces
+    });
+    let remains: Vec<&[LinePiece]> = remains.iter().map(Vec::as_slice).collect();
+    let pieces = concat_map(&remains, |_, piece| *piece);
     let (objects, counters) = (lines.objects.clone(), lines.counters.clone());
     VisibleLines { frame: lines.frame, objects, pieces, counters }
 }

@@ -11,6 +11,7 @@ fn piece(a: [f64; 3], b: [f64; 3]) -> LinePiece {
     LinePiece {
         class: LineClass::Line,
         invisibility: 0,
+        outline: false,
         points: [dvec2(a[0], a[1]), dvec2(b[0], b[1])],
         depth: [a[2], b[2]],
         object: 0,

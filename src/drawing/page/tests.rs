@@ -32,6 +32,7 @@ fn piece(a: (f64, f64), b: (f64, f64), run: u32) -> LinePiece {
     LinePiece {
         class: LineClass::Contour,
         invisibility: 0,
+        outline: false,
         points: [a.into(), b.into()],
         depth: [0.0; 2],
         object: 0,
@@ -202,6 +203,7 @@ proptest! {
         let pieces = ends.iter().enumerate().map(|(run, (a, b, object, seen))| LinePiece {
             object: *object,
             invisibility: u32::from(!seen),
+            outline: false,
             ..piece(float(*a), float(*b), run as u32)
         }).collect();
         let view = lines(pieces);

@@ -37,7 +37,6 @@ mod walker;
 
 use crate::kernel::predicates::Policy;
 use crate::run::{Cancelled, Counters, Run, map_chunks};
-use crate::spatial::Crossings;
 use crate::view::{ExactLines, LineQuestion};
 use linked::linked_lines;
 use std::ops::Range;
@@ -106,7 +105,7 @@ pub fn appel<P: Policy>(
 ) -> Result<ExactLines, Cancelled> {
     let count = question.lines.len();
     run.stage("appel", count as u64, || {
-        let effective = effective_edges(question);
+        let effective = question.effective_crossings();
         let walker = || Walker::<P>::new(question, &effective, options);
         match question.contacts.filter(|_| question.piercings.is_some()) {
             Some(contacts) => linked_lines(question, &contacts, walker, run),
@@ -142,12 +141,4 @@ fn gather(
     }
     run.merge(&counters);
     Ok(ExactLines::concat(&parts))
-}
-
-/// The effective edges by their view boxes.
-fn effective_edges(question: &LineQuestion<'_>) -> Crossings {
-    let boxes = crate::run::map_indexed(question.effective.len(), |i| {
-        question.coordinates.bounds(question.mesh.edges().ends(question.effective[i].edge))
-    });
-    Crossings::new(&boxes)
 }

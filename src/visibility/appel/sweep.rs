@@ -73,6 +73,6 @@ fn push(
     invisibility: u32,
 ) {
     if hidden_wanted || invisibility == 0 {
-        pieces.push(ExactPiece { from, to, invisibility });
+        pieces.push(ExactPiece { from, to, invisibility, outline: false });
     }
 }

@@ -1,17 +1,20 @@
 //! Which pieces lie on one another in the image, and which of them is drawn.
 //!
-//! Pieces whose boxes touch and whose images are exactly collinear are
-//! gathered into groups. A group is one image line; its ends are ordered
-//! exactly along it, and between two neighbouring ends the best piece there
-//! is drawn. Rounded coordinates only order ends that are clearly apart, with
-//! proven slack.
+//! A group (`groups`) is one image line; its ends are ordered exactly along
+//! it, and between two neighbouring ends the best piece there is drawn.
+//! Rounded coordinates only order ends that are clearly apart.
+//!
+//! What becomes of visible pieces does not depend on whether hidden ones are
+//! there too: they come out in the order of their lines and along these, and
+//! their ends are rounded as those of visible pieces. So a drawing whose
+//! hidden lines are left out is the one without them.
 
-use super::collinear::groups_of;
+use super::groups::groups_of;
 use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
 use crate::model::LineOrigin;
-use crate::run::{Run, concat_map, map_chunks};
+use crate::run::{Run, concat_map, map_chunks, map_indexed, sort_by};
 use crate::view::{LinePiece, LineQuestion};
 use glam::DVec2;
 use std::cmp::Ordering;
@@ -38,7 +41,9 @@ pub(super) fn resolve_coincident<P: Policy>(
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
         let origins = origins_wanted.then(|| Vec::with_capacity(part.len()));
-        let mut found = Resolved { pieces: Vec::with_capacity(part.len()), origins, runs: 0 };
+        let count = part.len();
+        let (drawn, indices) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut found = Resolved { pieces: drawn, indices, origins, runs: 0 };
         for group in part {
             found.add(question, &predicates, pieces, groups.get(group));
         }
@@ -56,7 +61,21 @@ pub(super) fn resolve_coincident<P: Policy>(
         |part: usize, piece: &LinePiece| LinePiece { run: first_runs[part] + piece.run, ..*piece };
     let origins = resolved.iter().filter_map(|(found, _)| found.origins.as_deref());
     let origins: Vec<&[Origin]> = origins.collect();
-    (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin))
+    let indices: Vec<&[u32]> = resolved.iter().map(|(found, _)| &found.indices[..]).collect();
+    let indices = concat_map(&indices, |_, index| *index);
+    let (pieces, origins) =
+        (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin));
+    if indices.is_sorted() {
+        return (pieces, origins);
+    }
+    let mut order: Vec<[u32; 2]> = indices.into_iter().zip(0..).map(Into::into).collect();
+    sort_by(&mut order, Ord::cmp);
+    (reordered(&pieces, &order), reordered(&origins, &order))
+}
+
+/// A list, which may be empty, in an order of its indices.
+fn reordered<T: Copy + Send + Sync>(list: &[T], order: &[[u32; 2]]) -> Vec<T> {
+    map_indexed(order.len().min(list.len()), |i| list[order[i][1] as usize])
 }
 
 /// Groups that one task resolves.
@@ -65,6 +84,8 @@ const PART: usize = 2048;
 /// What becomes of some groups.
 struct Resolved {
     pieces: Vec<LinePiece>,
+    /// For each of them the index of the piece that it is part of.
+    indices: Vec<u32>,
     /// One for each piece, if wanted.
     origins: Option<Vec<Origin>>,
     /// Runs are numbered from 0 to this.
@@ -83,14 +104,17 @@ impl Resolved {
         match group {
             [] => {}
             // Most pieces lie on no other.
-            [alone] => self.append(question, [RoundedPiece { run: 0, ..piece(*alone) }]),
+            [alone] => self.append(question, [(*alone, RoundedPiece { run: 0, ..piece(*alone) })]),
             [first, others @ ..]
                 if others.iter().all(|&other| piece(other).line == piece(*first).line) =>
             {
-                self.append(question, follow_line(pieces, group));
+                let followed = follow_line(pieces, group);
+                self.append(question, group.iter().copied().zip(followed));
             }
             _ => {
-                self.append(question, ImageLine::new(question, predicates, pieces, group).resolve())
+                let parts = ImageLine::new(question, predicates, pieces, group).resolve();
+                let parts = parts.into_iter().map(|(member, part)| (group[member as usize], part));
+                self.append(question, parts);
             }
         }
     }
@@ -99,10 +123,11 @@ impl Resolved {
     fn append(
         &mut self,
         question: &LineQuestion<'_>,
-        group: impl IntoIterator<Item = RoundedPiece>,
+        group: impl IntoIterator<Item = (u32, RoundedPiece)>,
     ) {
         let first = self.runs;
-        for piece in group {
+        for (index, piece) in group {
+            self.indices.push(index);
             self.runs = self.runs.max(first + piece.run + 1);
             let run = first + piece.run;
             if let Some(origins) = &mut self.origins {
@@ -139,6 +164,8 @@ struct Stop {
     piece: u32,
     /// Whether the piece begins here, along the reference.
     begins: bool,
+    /// Whether the piece is hidden.
+    hidden: bool,
 }
 
 /// The pieces of one image line, to be resolved.
@@ -152,6 +179,8 @@ struct ImageLine<'a, P: Policy> {
     /// Best first.
     rank: Vec<u32>,
     stops: Vec<Stop>,
+    /// For each piece whether it runs against the reference.
+    against: Vec<bool>,
     perspective: bool,
 }
 
@@ -175,6 +204,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             direction: to - from,
             rank: ranks(question, &pieces),
             stops: Vec::with_capacity(2 * pieces.len()),
+            against: Vec::with_capacity(pieces.len()),
             perspective: question.points.is_perspective(),
             pieces,
         };
@@ -194,11 +224,13 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             slack: piece.slack,
             piece: index,
             begins: end == 0,
+            hidden: 0 < piece.invisibility,
         });
         if self.compare(&stops[0], &stops[1]) == Ordering::Greater {
             stops[0].begins = false;
             stops[1].begins = true;
         }
+        self.against.push(stops[1].begins);
         self.stops.extend(stops);
     }
 
@@ -222,36 +254,52 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         )
     }
 
-    /// Draws each stretch once.
-    fn resolve(mut self) -> Vec<RoundedPiece> {
+    /// Draws each stretch once: parts of pieces with the indices of these,
+    /// in their order and along them.
+    fn resolve(mut self) -> Vec<(u32, RoundedPiece)> {
         let mut stops = std::mem::take(&mut self.stops);
         stops.sort_by(|a, b| self.compare(a, b));
         let mut active: BTreeSet<(u32, u32)> = BTreeSet::new();
-        let mut result: Vec<RoundedPiece> = Vec::new();
-        let mut drawn: Option<(u32, Stop)> = None;
+        let mut result: Vec<(u32, RoundedPiece)> = Vec::new();
+        let mut drawn: Option<((u32, bool), Stop)> = None;
+        let mut outlines = 0;
         let mut run = 0;
         for group in stops.chunk_by(|a, b| self.compare(a, b) == Ordering::Equal) {
             for stop in group {
                 let entry = (self.rank[stop.piece as usize], stop.piece);
+                let own = i32::from(self.pieces[stop.piece as usize].outline);
                 if stop.begins {
                     active.insert(entry);
+                    outlines += own;
                 } else {
                     active.remove(&entry);
+                    outlines -= own;
                 }
             }
-            let best = active.first().map(|&(_, piece)| piece);
+            // What is an outline to any of the lines is one.
+            let best = active.first().map(|&(_, piece)| (piece, outlines > 0));
             if best != drawn.map(|(piece, _)| piece) {
-                let stop = representative(group);
-                if let Some((piece, from)) = drawn {
-                    result.push(self.stretch(piece, &from, &stop, run));
+                if let Some(((piece, outline), from)) = drawn {
+                    let stretch = self.stretch(piece, &from, &self.stop_of(piece, group), run);
+                    result.push((piece, RoundedPiece { outline, ..stretch }));
                     run += u32::from(best.is_none());
                 }
-                drawn = best.map(|piece| (piece, stop));
+                drawn = best.map(|best| (best, self.stop_of(best.0, group)));
             }
         }
-        // Pieces come out line by line, as they went in.
-        result.sort_by_key(|piece| piece.line);
+        // Pieces come out as they went in.
+        result.sort_by_key(|(piece, _)| *piece);
+        for parts in result.chunk_by_mut(|(one, _), (other, _)| one == other) {
+            if self.against[parts[0].0 as usize] {
+                parts.reverse();
+            }
+        }
         result
+    }
+
+    /// The stop where a piece ends that stands for all stops of one place.
+    fn stop_of(&self, piece: u32, group: &[Stop]) -> Stop {
+        representative(group, 0 < self.pieces[piece as usize].invisibility)
     }
 
     /// The stretch of a piece between two stops, in the sense of its line.
@@ -291,9 +339,10 @@ fn length(piece: &RoundedPiece) -> f64 {
     piece.image[0].distance(piece.image[1])
 }
 
-/// The stop whose rounded point stands for all stops of one place: a vertex
-/// if there is one, for other lines end in it too.
-fn representative(group: &[Stop]) -> Stop {
+/// The stop whose rounded point stands for all stops of one place, or of the
+/// visible pieces there: a vertex if there is one, for other lines end in it
+/// too.
+fn representative(group: &[Stop], hidden: bool) -> Stop {
     let key = |stop: &Stop| matches!(stop.place, Place::Cut(_));
     let order = |a: &&Stop, b: &&Stop| {
         key(a)
@@ -302,7 +351,7 @@ fn representative(group: &[Stop]) -> Stop {
             .then(a.image.y.total_cmp(&b.image.y))
             .then(a.depth.total_cmp(&b.depth))
     };
-    group.iter().min_by(order).copied().unwrap_or(group[0])
+    group.iter().filter(|stop| hidden || !stop.hidden).min_by(order).copied().unwrap_or(group[0])
 }
 
 /// The rank of each piece: which one is drawn where several coincide. Ties

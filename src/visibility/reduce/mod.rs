@@ -9,7 +9,7 @@
 //! into one stroke without asking whether rounded points are collinear.
 
 mod coincident;
-mod collinear;
+mod groups;
 mod passing;
 mod rounded;
 
@@ -123,6 +123,7 @@ fn line_piece(question: &LineQuestion<'_>, piece: &RoundedPiece) -> LinePiece {
     LinePiece {
         class: line.class,
         invisibility: piece.invisibility,
+        outline: piece.outline,
         points: piece.image,
         depth: piece.depth,
         object,

@@ -10,6 +10,7 @@ pub(super) struct RoundedPiece {
     /// Index of the line.
     pub(super) line: u32,
     pub(super) invisibility: u32,
+    pub(super) outline: bool,
     /// The exact ends, on the line's own carrier.
     pub(super) places: [Place; 2],
     /// The ends in the image.
@@ -49,6 +50,7 @@ pub(super) fn round_line<P: Policy>(
         pieces.push(RoundedPiece {
             line,
             invisibility: piece.invisibility,
+            outline: piece.outline,
             places: [piece.from, piece.to],
             image: projected.map(|(image, _)| image),
             depth: projected.map(|(_, depth)| depth),

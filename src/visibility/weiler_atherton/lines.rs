@@ -119,7 +119,8 @@ impl<P: Policy> Worker<'_, '_, P> {
                 _ => merged.push(span),
             }
         }
-        let piece = |[from, to]: [Place; 2]| ExactPiece { from, to, invisibility: 0 };
+        let piece =
+            |[from, to]: [Place; 2]| ExactPiece { from, to, invisibility: 0, outline: false };
         Ok(merged.into_iter().map(piece).collect())
     }
 

@@ -1,9 +1,7 @@
-//! Which pieces have to be looked at together: those whose images lie on one
-//! line and touch.
+//! Which pieces may lie on one another in the image: groups to be resolved.
 //!
-//! Boxes in the image, with the direction as a third side, propose pairs;
-//! whether a pair is collinear is decided exactly, and disjoint sets gather
-//! the pairs (union-find, Galler and Fischer 1964). Rounded coordinates only
+//! Pieces whose boxes touch and whose images are exactly collinear are one
+//! group, and so are those connected by others. Rounded coordinates only
 //! dismiss pairs that are clearly not collinear, with proven slack.
 
 use super::rounded::RoundedPiece;
@@ -41,57 +39,6 @@ pub(super) fn groups_of<P: Policy>(
         }
     }
     Groups::of_trees(parents)
-}
-
-/// Pieces that have to be looked at together.
-pub(super) struct Groups {
-    members: Vec<u32>,
-    /// End of each group in `members`.
-    ends: Vec<u32>,
-}
-
-impl Groups {
-    /// The number of groups.
-    pub(super) fn len(&self) -> usize {
-        self.ends.len()
-    }
-
-    /// The pieces of a group, in ascending order.
-    pub(super) fn get(&self, group: usize) -> &[u32] {
-        let start = if group == 0 { 0 } else { self.ends[group - 1] };
-        &self.members[start as usize..self.ends[group] as usize]
-    }
-
-    /// The trees of `parents`, in the order of their roots, which are their
-    /// smallest members; members in ascending order.
-    fn of_trees(mut parents: Vec<u32>) -> Self {
-        let mut ends = Vec::with_capacity(parents.len());
-        let mut group_of = vec![0_u32; parents.len()];
-        for piece in 0..parents.len() {
-            let root = root(&mut parents, piece as u32) as usize;
-            if root == piece {
-                group_of[piece] = ends.len() as u32;
-                ends.push(0);
-            } else {
-                group_of[piece] = group_of[root];
-            }
-            ends[group_of[piece] as usize] += 1;
-        }
-        let mut next = Vec::with_capacity(ends.len());
-        let mut sum = 0;
-        for end in &mut ends {
-            next.push(sum);
-            sum += *end;
-            *end = sum;
-        }
-        let mut members = vec![0; parents.len()];
-        for (piece, group) in group_of.into_iter().enumerate() {
-            let slot = &mut next[group as usize];
-            members[*slot as usize] = piece as u32;
-            *slot += 1;
-        }
-        Groups { members, ends }
-    }
 }
 
 /// The root of a tree of parents, halving the path on the way.
@@ -178,4 +125,53 @@ fn clearly_off(piece: &RoundedPiece, other: &RoundedPiece) -> bool {
         let slack = 4.0 * (piece.slack + other.slack);
         off > reach * slack + slack * slack
     })
+}
+
+/// Pieces that have to be looked at together.
+pub(super) struct Groups {
+    members: Vec<u32>,
+    /// End of each group in `members`.
+    ends: Vec<u32>,
+}
+
+impl Groups {
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    pub(super) fn get(&self, group: usize) -> &[u32] {
+        let start = if group == 0 { 0 } else { self.ends[group - 1] };
+        &self.members[start as usize..self.ends[group] as usize]
+    }
+
+    /// The trees of `parents`, in the order of their roots, which are their
+    /// smallest members; members in ascending order.
+    fn of_trees(mut parents: Vec<u32>) -> Self {
+        let mut ends = Vec::with_capacity(parents.len());
+        let mut group_of = vec![0_u32; parents.len()];
+        for piece in 0..parents.len() {
+            let root = root(&mut parents, piece as u32) as usize;
+            if root == piece {
+                group_of[piece] = ends.len() as u32;
+                ends.push(0);
+            } else {
+                group_of[piece] = group_of[root];
+            }
+            ends[group_of[piece] as usize] += 1;
+        }
+        let mut next = Vec::with_capacity(ends.len());
+        let mut sum = 0;
+        for end in &mut ends {
+            next.push(sum);
+            sum += *end;
+            *end = sum;
+        }
+        let mut members = vec![0; parents.len()];
+        for (piece, group) in group_of.into_iter().enumerate() {
+            let slot = &mut next[group as usize];
+            members[*slot as usize] = piece as u32;
+            *slot += 1;
+        }
+        Groups { members, ends }
+    }
 }
