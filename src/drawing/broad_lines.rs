@@ -180,10 +180,15 @@ mod tests {
                 let wide = strokes(&[points]);
                 let drawn = side_by_side(&wide, width, pen);
                 let (mut wanted, mut covered) = (0.0, 0.0);
-                let step = 0.061;
-                for i in -23..110 {
-                    for j in -23..75 {
-                        let point = step * DVec2::new(f64::from(i), f64::from(j));
+                // A hundred samples across what may be drawn, small or large.
+                let corners = || points.iter().map(|&point| DVec2::from(point));
+                let low = corners().fold(DVec2::INFINITY, DVec2::min) - 0.51 * width;
+                let high = corners().fold(DVec2::NEG_INFINITY, DVec2::max) + 0.51 * width;
+                let step = (high - low).max_element() / 100.0;
+                let [columns, rows] = ((high - low) / step).to_array().map(|n| n.ceil() as u32);
+                for i in 0..=columns {
+                    for j in 0..=rows {
+                        let point = low + step * DVec2::new(f64::from(i), f64::from(j));
                         let off = distance(&wide, point) - 0.5 * width;
                         let ink = distance(&drawn, point) - 0.5 * pen;
                         let what = format!("{shape} {width} {pen} {point}: {off} {ink}");

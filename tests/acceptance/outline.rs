@@ -110,8 +110,8 @@ fn the_rim_of_a_hole_is_outline_where_one_sees_through() {
     let square =
         |r: f64, z: f64| [[-r, -r], [r, -r], [r, r], [-r, r]].map(|[x, y]| dvec3(x, y, z)).to_vec();
     let plate = |floor: bool| {
-        let mut soup = Soup::default();
-        soup.vertices = [square(3.0, 0.0), square(1.0, 0.0)].concat();
+        let vertices = [square(3.0, 0.0), square(1.0, 0.0)].concat();
+        let mut soup = Soup { vertices, ..Soup::default() };
         soup.faces.push(&[0, 1, 2, 3], [&[7_u32, 6, 5, 4][..]]);
         let mut soups = vec![soup];
         soups.extend(floor.then(|| polygons(&[square(2.0, -1.0)], &[])));
