@@ -3,9 +3,10 @@
 //!
 //! Methods run in turn, round after round, so that a machine whose speed
 //! drifts slows all of them alike; the least of the rounds is printed, for
-//! other work on the machine can only add to it. The surface is a torus, generated here, in a general view. What is timed is the way from
-//! the prepared view to the item buffer, and for Appel's method to the
-//! lines: all edges, hidden ones left out.
+//! other work on the machine can only add to it. The surface is a torus,
+//! generated here, in a general view. What is timed is the way from the
+//! prepared view to the item buffer, and for Appel's method to the lines:
+//! all edges, hidden ones left out.
 //!
 //! `cargo bench --bench raster` (up to 100 thousand triangles and 1024
 //! pixels; `-- 10` for fewer thousands).

@@ -3,9 +3,12 @@
 //!
 //! A z-buffer, or any other item buffer, draws lines without hidden lines
 //! by looking each of their points up: at steps of a pixel, a point is
-//! hidden if its pixel and those around it see something nearer. All methods make the same
-//! buffer, so all get the same length of lines wrong at a size; they differ
-//! in time. Appel's method has one time and no error.
+//! hidden if its pixel and those around it see something nearer. All methods
+//! make the same buffer, so all get the same length of lines wrong at a
+//! size; they differ in time. Appel's method has one time and no error.
+//!
+//! All run in turn, round after round, so that a machine whose speed drifts
+//! slows all of them alike, and medians of the rounds are told.
 //!
 //! `cargo run --release --example raster_plot`. Times are of one machine.
 
@@ -20,14 +23,14 @@ use umriss::export::write_file;
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, FeatureOptions, LineClass, Scene, SceneOptions, import};
 use umriss::raster::{ItemBuffer, Samples, methods};
-use umriss::run::Run;
+use umriss::run::{Cancelled, Run};
 use umriss::view::{PreparedView, VisibleLines};
 use umriss::visibility::{AppelOptions, appel, reduce};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 const SIZES: [u32; 5] = [128, 256, 512, 1024, 2048];
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 7;
 
 /// Time in milliseconds and wrong share of the lines' length, by size.
 struct Curve {
@@ -46,35 +49,38 @@ fn main() -> Outcome<()> {
     let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, &run)?;
     let question = prepared.question(true);
 
-    let mut exact = Vec::new();
-    let mut lines = None;
-    for _ in 0..ROUNDS {
-        let start = Instant::now();
+    let draw = || {
         let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
-        lines = Some(reduce::<Exact>(&question, &answer, &run)?);
-        exact.push(start.elapsed().as_secs_f64() * 1e3);
-    }
-    let lines = lines.ok_or("no round was run")?;
-    let exact = least(&exact);
+        reduce::<Exact>(&question, &answer, &run)
+    };
+    let lines = draw()?;
 
+    let mut exact = Vec::new();
     let mut curves: Vec<Curve> =
         methods::<Exact>().iter().map(|(name, _)| Curve { name, points: Vec::new() }).collect();
     for size in SIZES {
         let count = mesh.vertices().len() as u32;
         let samples = Samples::around(&view.frame, question.coordinates, count, size)
             .ok_or("the model has an image")?;
-        for (curve, (_, method)) in curves.iter_mut().zip(methods::<Exact>()) {
-            let mut times = Vec::new();
-            let mut wrong = 0.0;
-            for _ in 0..ROUNDS {
-                let start = Instant::now();
-                let buffer = method(&view, &question, &samples, &run)?;
-                wrong = wrong_share(&lines, &samples, &buffer);
-                times.push(start.elapsed().as_secs_f64() * 1e3);
+        let mut times = vec![Vec::new(); curves.len()];
+        let mut wrong = 0.0;
+        for _ in 0..ROUNDS {
+            exact.push(milliseconds(draw)?.0);
+            for (times, (_, method)) in times.iter_mut().zip(methods::<Exact>()) {
+                let look_up = || {
+                    let buffer = method(&view, &question, &samples, &run)?;
+                    Ok::<_, Cancelled>(wrong_share(&lines, &samples, &buffer))
+                };
+                let (time, share) = milliseconds(look_up)?;
+                times.push(time);
+                wrong = share;
             }
-            curve.points.push([least(&times), 100.0 * wrong]);
+        }
+        for (curve, times) in curves.iter_mut().zip(times) {
+            curve.points.push([median(times), 100.0 * wrong]);
         }
     }
+    let exact = median(exact);
     print_table(&curves, exact);
     write_file(&root.join("output/raster-error.svg"), plot(&curves, exact).as_bytes())?;
     Ok(())
@@ -111,9 +117,16 @@ fn farthest_around(buffer: &ItemBuffer, samples: &Samples, [column, row]: [u32; 
     pixels.map(|(c, r)| buffer.depth(c, r)).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Other work on the machine can only add to a time.
-fn least(values: &[f64]) -> f64 {
-    values.iter().copied().fold(f64::INFINITY, f64::min)
+/// How long something takes, and what comes of it.
+fn milliseconds<T, E>(work: impl Fn() -> Result<T, E>) -> Result<(f64, T), E> {
+    let start = Instant::now();
+    let result = work()?;
+    Ok((start.elapsed().as_secs_f64() * 1e3, result))
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    values[values.len() / 2]
 }
 
 fn print_table(curves: &[Curve], exact: f64) {

@@ -1,5 +1,10 @@
 //! Every image-space method against every other, at every sample.
 //!
+//! The c-buffer joins in where triangles have an order from front to back.
+//! It gives a sample on a common border to the first of several that are
+//! equally near, so that it may name another triangle there, if an exact
+//! sign says that they are.
+//!
 //! The models of the repository are always compared. The folder that the
 //! environment variable `UMRISS_MODELS` names is compared too where it is
 //! set: in the six principal views, isometric, and with the cameras in its
@@ -13,9 +18,11 @@
 use glam::DVec3;
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use umriss::kernel::predicates::Exact;
+use std::time::Instant;
+use umriss::kernel::predicates::{Exact, Predicates};
 use umriss::model::{Camera, FeatureOptions, Mesh, Scene, SceneOptions, StandardView, import};
-use umriss::raster::{Samples, methods};
+use umriss::raster::samples::Sampled;
+use umriss::raster::{ItemBuffer, Samples, c_buffer, front_to_back, methods};
 use umriss::run::Run;
 use umriss::view::PreparedView;
 
@@ -72,6 +79,7 @@ fn compare_folder(folder: &Path, extent: &Extent) -> Outcome<()> {
         }
     }
     println!("{} images of {} samples, {} of them hits", sums.images, sums.samples, sums.hits);
+    println!("{} of them have an order from front to back", sums.ordered);
     assert!(sums.images > 0, "no models in {}", folder.display());
     assert!(sums.differences.is_empty(), "{:#?}", sums.differences);
     Ok(())
@@ -80,6 +88,7 @@ fn compare_folder(folder: &Path, extent: &Extent) -> Outcome<()> {
 #[derive(Default)]
 struct Sums {
     images: usize,
+    ordered: usize,
     samples: u64,
     hits: u64,
     differences: Vec<String>,
@@ -96,9 +105,11 @@ fn compare(mesh: &Mesh, camera: &Camera, size: u32, what: &str, sums: &mut Sums)
         println!("skipped: {what} shows nothing");
         return Ok(());
     };
-    let mut images = Vec::new();
+    let (mut images, mut times) = (Vec::new(), String::new());
     for (name, method) in methods::<Exact>() {
+        let start = Instant::now();
         images.push((name, method(&view, &question, &samples, &run)?));
+        times.push_str(&format!(" {name} {:.0?},", start.elapsed()));
     }
     let pixels =
         || (0..samples.height()).flat_map(|row| (0..samples.width()).map(move |c| (c, row)));
@@ -116,10 +127,37 @@ fn compare(mesh: &Mesh, camera: &Camera, size: u32, what: &str, sums: &mut Sums)
             }
         }
     }
+    let start = Instant::now();
+    if let Ok(order) = front_to_back::<Exact>(&question, &run) {
+        let image = c_buffer::<Exact>(&view, &question, &samples, &order, &run)?;
+        let sampled = Sampled::new(&view, &question, &samples);
+        let differ = pixels().filter(|&at| !is_as_near(&sampled, [&images[0].1, &image], at));
+        let differ = differ.count();
+        if differ > 0 {
+            sums.differences.push(format!("{what}: the c-buffer at {differ} samples"));
+        }
+        sums.ordered += 1;
+    }
+    times.push_str(&format!(" c-buffer {:.0?}", start.elapsed()));
+    println!("{what}, {} triangles:{times}", mesh.triangles().len());
     sums.images += 1;
     sums.samples += pixels().count() as u64;
     sums.hits += pixels().filter(|&(c, row)| images[0].1.item(c, row).is_some()).count() as u64;
     Ok(())
+}
+
+/// Whether two images have at a sample the same triangle, or two that are
+/// equally near.
+fn is_as_near(sampled: &Sampled, images: [&ItemBuffer; 2], (column, row): (u32, u32)) -> bool {
+    match images.map(|image| image.item(column, row)) {
+        [Some(first), Some(second)] if first != second => {
+            let predicates = Predicates::<Exact>::new(sampled.points());
+            let [first, second] = [first, second].map(|triangle| sampled.triangle(triangle));
+            let sample = sampled.vertex([column, row]);
+            predicates.nearer(sample, first, second).is_zero()
+        }
+        [first, second] => first == second,
+    }
 }
 
 /// All cameras of a model, with their names.

@@ -44,7 +44,7 @@ pub(crate) enum Kind {
 }
 
 /// All kinds that are tested.
-pub(crate) const KINDS: [Kind; 15] = [
+pub(crate) const KINDS: [Kind; 16] = [
     Kind::Random,
     Kind::Grid,
     Kind::Grid,
@@ -57,7 +57,8 @@ pub(crate) const KINDS: [Kind; 15] = [
     Kind::Single,
     Kind::Limit(60),
     Kind::Limit(125),
-    Kind::Limit(126),
+    Kind::Limit(167),
+    Kind::Limit(168),
     Kind::Wide,
     Kind::Subnormal,
 ];

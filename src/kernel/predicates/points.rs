@@ -2,7 +2,7 @@
 //!
 //! One pass measures the *spread*: the number of binary orders between the
 //! highest set bit and the lowest set bit of any coordinate. Where it is at
-//! most 125, everything is multiplied by one power of two, so that all
+//! most 167, everything is multiplied by one power of two, so that all
 //! coordinates are integers below `2^spread` held in floats: products then
 //! cannot underflow, they overflow only beyond a known degree, and integer
 //! arithmetic of fixed width reads the very same array. The direction of an
@@ -15,8 +15,13 @@ use crate::kernel::numbers::{Ring, Significand, scale_by_power_of_two};
 use crate::run::{fill_indexed, map_chunks};
 use glam::DVec3;
 
-/// The largest spread that fixed widths hold.
-const NARROW: u32 = 125;
+/// The largest spread of scenes that are scaled to integers: floats still
+/// hold the formulas of degree 6, and so whatever a filter or a proposal is
+/// made of. Formulas of more bits than a fixed width has, or a float, are
+/// passed on one by one, by their own count of bits. Such scenes are no
+/// rarity: coordinates of 1e-20 or so, left where a modeller turned a part by
+/// a right angle, make 120 bits and more beside those of the part itself.
+const NARROW: u32 = 167;
 
 /// Bits of the largest float exponent, with room for the sums of a formula.
 const FLOAT_BITS: u32 = 1020;
@@ -216,7 +221,7 @@ impl Points {
         self.near.is_some()
     }
 
-    /// Whether coordinates are integers of at most 125 bits.
+    /// Whether coordinates are integers of at most 167 bits.
     pub(super) fn is_narrow(&self) -> bool {
         self.spread <= NARROW
     }

@@ -52,20 +52,25 @@ pub(super) fn direct<P: Policy>(judge: &Judge<'_, P>, face: &Face, block: &Block
         match side(border, block) {
             Side::Inside => {}
             Side::Outside => return 0,
-            Side::Across => {
-                for bit in bits(mask) {
-                    let at = block.sample(bit);
-                    if !judge.is_in(face, k, at, border.form.at(at)) {
-                        mask &= !(1 << bit);
-                    }
-                }
-            }
+            Side::Across => mask = inside(judge, face, k, block, mask),
         }
         if mask == 0 {
             return 0;
         }
     }
     mask
+}
+
+/// The bits of a mask whose samples lie in a half-plane of a face.
+fn inside<P: Policy>(
+    judge: &Judge<'_, P>,
+    face: &Face,
+    border: usize,
+    block: &Block,
+    mask: u32,
+) -> u32 {
+    let holds = |bit: &u32| judge.holds(face, border, block.sample(*bit));
+    bits(mask).filter(holds).fold(0, |inside, bit| inside | 1 << bit)
 }
 
 /// Where a block lies against a border.
@@ -113,12 +118,7 @@ fn tabulated<P: Policy>(
     let base = block.sample(any);
     for (k, border) in face.borders().iter().enumerate() {
         if 2 < k {
-            for bit in bits(mask) {
-                let at = block.sample(bit);
-                if !judge.is_in(face, k, at, border.form.at(at)) {
-                    mask &= !(1 << bit);
-                }
-            }
+            mask = inside(judge, face, k, block, mask);
             continue;
         }
         let form = &border.form;

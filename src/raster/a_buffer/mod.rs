@@ -166,8 +166,9 @@ fn fragments_over<P: Policy>(
 }
 
 /// Calls `work` with the bands of whole pixels that make up a grid of
-/// sub-pixels, and with the rows of pixels above each; results in their order. A band has about as many samples as
-/// the mesh has vertices, or more, for it holds a copy of both.
+/// sub-pixels, and with the rows of pixels above each; results in their
+/// order. A band has about as many samples as the mesh has vertices, or
+/// more, for it holds a copy of both.
 fn over_bands<T: Send>(
     samples: &Samples,
     division: Division,

@@ -154,12 +154,15 @@ impl<'s, P: Policy> Judge<'s, P> {
         }
     }
 
+    /// The same, with the proposal taken from the form.
+    #[inline(always)]
+    pub fn holds(&self, face: &Face, border: usize, at: [u32; 2]) -> bool {
+        self.is_in(face, border, at, face.borders[border].form.at(at))
+    }
+
     /// Whether a sample of its footprint sees a face.
     pub fn covers(&self, face: &Face, at: [u32; 2]) -> bool {
-        face.borders()
-            .iter()
-            .enumerate()
-            .all(|(k, border)| self.is_in(face, k, at, border.form.at(at)))
+        (0..face.borders().len()).all(|border| self.holds(face, border, at))
     }
 
     /// Whether a face wins a sample of both footprints against another one,

@@ -116,8 +116,7 @@ impl ActiveEdge {
         row: u32,
     ) -> Reach {
         let border = usize::from(self.edge.border);
-        let form = &face.borders()[border].form;
-        let holds = |column: u32| judge.is_in(face, border, [column, row], form.at([column, row]));
+        let holds = |column: u32| judge.holds(face, border, [column, row]);
         let proposal = self.proposal();
         self.crossing += self.step;
         let [first, last] = face.footprint.columns;

@@ -54,6 +54,7 @@ impl<'f, P: Policy> Resolver<'f, P> {
     fn insert(&mut self, face: u32, columns: &Range<u32>, row: u32) {
         if self.nearest.is_empty() {
             self.nearest.push(Span { face, columns: columns.clone() });
+            return;
         }
         for piece in std::mem::take(&mut self.nearest) {
             self.cut(piece, face, row);

@@ -17,10 +17,7 @@ pub(super) fn run_of<P: Policy>(judge: &Judge<'_, P>, face: &Face, row: u32) -> 
     let [first, last] = face.footprint.columns;
     let mut run = first..last + 1;
     for (k, border) in face.borders().iter().enumerate() {
-        let is_in = |column| {
-            let at = [column, row];
-            judge.is_in(face, k, at, border.form.at(at))
-        };
+        let is_in = |column| judge.holds(face, k, [column, row]);
         if run.is_empty() {
             break;
         }

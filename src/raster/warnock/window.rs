@@ -36,9 +36,8 @@ pub(super) fn relation<P: Policy>(
     };
     let mut surrounds = part == *window;
     let corners = part.corners();
-    for (k, border) in face.borders().iter().enumerate() {
-        let holds = |at: [u32; 2]| judge.is_in(face, k, at, border.form.at(at));
-        let inside = corners.iter().filter(|&&corner| holds(corner)).count();
+    for border in 0..face.borders().len() {
+        let inside = corners.iter().filter(|&&corner| judge.holds(face, border, corner)).count();
         if inside == 0 {
             return Relation::Outside;
         }
