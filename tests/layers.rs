@@ -33,7 +33,15 @@ const STRANGERS: [&str; 2] = ["visibility", "raster"];
 /// Parts that stand on one floor are siblings and do not know each other.
 const PARTS: [(&str, &[&[&str]]); 3] = [
     ("kernel", &[&["numbers"], &["predicates"]]),
-    ("visibility", &[&["appel", "roberts", "weiler_atherton"], &["reduce"], &["visible_lines"]]),
+    (
+        "visibility",
+        &[
+            &["ties"],
+            &["appel", "roberts", "weiler_atherton", "painter"],
+            &["reduce"],
+            &["visible_lines"],
+        ],
+    ),
     (
         "raster",
         &[

@@ -1,10 +1,11 @@
 //! The contract between models, methods and drawings: what a method is
 //! asked ([`LineQuestion`]) and what it answers ([`ExactLines`], rounded
-//! and reduced to [`VisibleLines`]), or [`VisibleRegions`].
+//! and reduced to [`VisibleLines`]), [`VisibleRegions`] or a [`PaintOrder`].
 
 mod crossing;
 mod exact_lines;
 mod outline;
+mod painting;
 mod prepare;
 mod question;
 mod regions;
@@ -15,6 +16,7 @@ pub use crate::model::{Frame, LineClass, Projection};
 pub use crossing::Crossing;
 pub use exact_lines::{ExactLines, ExactPiece};
 pub use outline::OutlineOf;
+pub use painting::{PaintOrder, PaintedFace, PaintedPiece};
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};
 pub use regions::{ImageRegion, ImageRegions, Region, VisibleRegions};

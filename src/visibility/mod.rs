@@ -3,17 +3,21 @@
 //! [`appel`] is the product, [`roberts`] the judge; neither imports the
 //! other. [`outlined`] tells outer outlines from other lines, [`reduce`] turns
 //! the common answer into the lines of a drawing. [`visible_lines`] does it
-//! all. [`visible_regions`] finds what is seen of each face.
+//! all. [`visible_regions`] finds what is seen of each face, [`paint_order`] an
+//! order in which faces may be painted over one another.
 
 mod appel;
 mod outline;
+mod painter;
 mod reduce;
 mod roberts;
+mod ties;
 mod visible_lines;
 mod weiler_atherton;
 
 pub use appel::{AppelOptions, Fault, appel};
 pub use outline::outlined;
+pub use painter::{PaintTree, Painter, PainterError, PainterOptions, paint_order, painted_image};
 pub use reduce::{reduce, reduce_with_crossings};
 pub use roberts::roberts;
 pub use visible_lines::visible_lines;

@@ -43,11 +43,15 @@ pub enum Predicate {
     Bend,
     /// Which of two points of the image is swept first.
     Sweep,
+    /// A point in which planes meet, or the eye, beside a plane.
+    Above,
+    /// Which of two such points is deeper.
+    Deeper,
 }
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 14;
+    pub const COUNT: usize = 16;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -66,6 +70,8 @@ impl Predicate {
         ["filter-failures-beside", "big-integers-beside"],
         ["filter-failures-bend", "big-integers-bend"],
         ["filter-failures-sweep", "big-integers-sweep"],
+        ["filter-failures-above", "big-integers-above"],
+        ["filter-failures-deeper", "big-integers-deeper"],
     ];
 }
 

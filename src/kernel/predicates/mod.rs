@@ -34,6 +34,7 @@ mod formula;
 mod image;
 mod ladder;
 mod offset;
+mod plane;
 mod points;
 mod ray;
 
@@ -46,4 +47,5 @@ pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
 pub use image::Approximation;
 pub use ladder::{Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough};
+pub use plane::{InputPlane, Plane, PlanePoint};
 pub use points::Points;

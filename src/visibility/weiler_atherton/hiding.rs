@@ -10,7 +10,7 @@ use super::outline::NearSide;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{ImageLine, Policy, Predicates};
 use crate::model::Mesh;
-use std::cmp::Ordering;
+use crate::visibility::ties::precedes;
 
 /// What of another triangle lies in front of this one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -143,25 +143,4 @@ fn is_beyond_an_edge<P: Policy>(
         }
     }
     (false, all_inside)
-}
-
-/// The tie rule: of two triangles at the same depth the one with the least
-/// sorted corners is seen, then that of the object with the lesser name.
-fn precedes(mesh: &Mesh, first: u32, second: u32) -> bool {
-    let corners = |triangle: u32| {
-        let at = |vertex: u32| mesh.vertices()[vertex as usize].to_array();
-        let mut corners = mesh.triangles()[triangle as usize].map(at);
-        corners.sort_unstable_by(compare);
-        corners
-    };
-    let (a, b) = (corners(first), corners(second));
-    let places = (0..3).map(|i| compare(&a[i], &b[i])).find(|order| order.is_ne());
-    let name = |triangle| &mesh.objects()[mesh.object_of_triangle(triangle) as usize].name;
-    let order = places.unwrap_or_else(|| name(first).cmp(name(second)));
-    order.then(first.cmp(&second)).is_lt()
-}
-
-fn compare(a: &[f64; 3], b: &[f64; 3]) -> Ordering {
-    let orders = (0..3).map(|axis| a[axis].total_cmp(&b[axis]));
-    orders.fold(Ordering::Equal, Ordering::then)
 }

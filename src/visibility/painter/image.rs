@@ -1,0 +1,196 @@
+//! A painting order in coordinates of the view frame, rounded once.
+//!
+//! Pieces of one face that follow one another are one area: sides that two of
+//! them run along in opposite senses are left out, and what remains is closed
+//! again. So a face that was parted at inner edges only, or cut and not parted
+//! by another in the order, is printed whole. What is drawn of a border are
+//! sides on edges that are lines of the question; sides that cuts made are
+//! never drawn.
+
+use super::PainterError;
+use crate::kernel::predicates::{Exact, PlanePoint, Predicates};
+use crate::model::{LineClass, LineOrigin, Mesh};
+use crate::polygon::{PlaneCorner, Side};
+use crate::run::Counters;
+use crate::view::{
+    ImageRegion, LinePiece, LineQuestion, LineSource, PaintOrder, PaintedFace, PaintedPiece,
+    VisibleLines,
+};
+use glam::{DVec2, DVec3};
+use rustc_hash::FxHashMap;
+
+/// Rounds all corners; returns the areas from back to front, and the lines
+/// that are drawn over each of them. O(corners).
+///
+/// # Errors
+///
+/// If the view is a perspective one without a near plane.
+pub fn painted_image(
+    question: &LineQuestion<'_>,
+    order: &PaintOrder,
+) -> Result<(Vec<PaintedFace>, VisibleLines), PainterError> {
+    super::check_view(question)?;
+    let predicates = Predicates::<Exact>::new(question.points);
+    let mut printer =
+        Printer { question, predicates, classes: classes(question), pieces: Vec::new() };
+    let mut faces = Vec::new();
+    for run in order.pieces.chunk_by(|a, b| a.face == b.face) {
+        faces.push(printer.face(run));
+    }
+    let lines = VisibleLines {
+        frame: *question.frame,
+        objects: question.mesh.objects().iter().map(|object| object.name.clone()).collect(),
+        pieces: printer.pieces,
+        counters: Counters::default(),
+    };
+    Ok((faces, lines))
+}
+
+/// The class of each edge that is a line of the question.
+fn classes(question: &LineQuestion<'_>) -> FxHashMap<[u32; 2], LineClass> {
+    let edges = question.lines.iter().filter_map(|line| match line.origin {
+        LineOrigin::Edge(edge) => Some((sorted(question.mesh.edges().ends(edge)), line.class)),
+        _ => None,
+    });
+    edges.collect()
+}
+
+fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// A side of a piece between its corners.
+#[derive(Clone, Copy)]
+struct Stretch {
+    ends: [PlanePoint; 2],
+    side: Side,
+}
+
+struct Printer<'q> {
+    question: &'q LineQuestion<'q>,
+    predicates: Predicates<'q, Exact>,
+    classes: FxHashMap<[u32; 2], LineClass>,
+    pieces: Vec<LinePiece>,
+}
+
+impl Printer<'_> {
+    /// Some pieces of one face.
+    fn face(&mut self, pieces: &[PaintedPiece]) -> PaintedFace {
+        let border = border(pieces);
+        let first = self.pieces.len() as u32;
+        let object = pieces[0].object;
+        for stretch in &border {
+            let Side::Edge { ends, is_inner: false } = stretch.side else { continue };
+            if let Some(&class) = self.classes.get(&sorted(ends)) {
+                self.draw(stretch, ends, class, object);
+            }
+        }
+        let rings = rings(&border);
+        let ring = |ring: Vec<PlanePoint>| ring.into_iter().map(|p| self.place(p).0).collect();
+        let polygons = vec![rings.into_iter().map(ring).collect()];
+        let mesh = self.question.mesh;
+        let facing = self.question.facing[pieces[0].triangle as usize].to_i32();
+        let region = ImageRegion {
+            face: pieces[0].face,
+            object,
+            normal: seen_normal(mesh, pieces[0].triangle, facing),
+            color: mesh.color_of(pieces[0].face),
+            polygons,
+        };
+        PaintedFace { region, lines: first..self.pieces.len() as u32 }
+    }
+
+    fn draw(&mut self, stretch: &Stretch, ends: [u32; 2], class: LineClass, object: u32) {
+        let [start, end] = stretch.ends.map(|point| self.place(point));
+        let mesh = self.question.mesh;
+        let run = self.pieces.len() as u32;
+        self.pieces.push(LinePiece {
+            class,
+            invisibility: 0,
+            outline: false,
+            points: [start.0, end.0],
+            depth: [start.1, end.1],
+            object,
+            source: LineSource::Edge(ends.map(|vertex| mesh.vertex_number(vertex))),
+            run,
+        });
+    }
+
+    /// Image and depth of a point. Those of a vertex are as lines have them.
+    fn place(&self, point: PlanePoint) -> (DVec2, f64) {
+        let coordinates = self.question.coordinates;
+        coordinates.project(match point {
+            PlanePoint::Vertex(vertex) => coordinates.point(vertex),
+            _ => self.question.frame.coordinates(self.predicates.position(point)),
+        })
+    }
+}
+
+/// The sides of pieces without those that two of them share.
+fn border(pieces: &[PaintedPiece]) -> Vec<Stretch> {
+    let mut all = Vec::new();
+    for piece in pieces {
+        let corners = &piece.polygon.corners;
+        let next = corners.iter().cycle().skip(1);
+        let stretch = |(corner, next): (&PlaneCorner, &PlaneCorner)| Stretch {
+            ends: [corner.point, next.point],
+            side: corner.side,
+        };
+        all.extend(corners.iter().zip(next).map(stretch));
+    }
+    if pieces.len() < 2 {
+        return all;
+    }
+    let mut count: FxHashMap<[PlanePoint; 2], i32> = FxHashMap::default();
+    for stretch in &all {
+        *count.entry(stretch.ends).or_default() += 1;
+    }
+    all.retain(|stretch| {
+        let [start, end] = stretch.ends;
+        !count.contains_key(&[end, start])
+    });
+    all
+}
+
+/// Sides as closed rings: as many of them end in a point as begin there.
+fn rings(border: &[Stretch]) -> Vec<Vec<PlanePoint>> {
+    let mut leaving: FxHashMap<PlanePoint, Vec<usize>> = FxHashMap::default();
+    for (i, stretch) in border.iter().enumerate().rev() {
+        leaving.entry(stretch.ends[0]).or_default().push(i);
+    }
+    let mut is_used = vec![false; border.len()];
+    let mut rings = Vec::new();
+    for first in 0..border.len() {
+        let mut ring = Vec::new();
+        let mut at = first;
+        while !is_used[at] {
+            is_used[at] = true;
+            ring.push(border[at].ends[0]);
+            let next = leaving.get_mut(&border[at].ends[1]);
+            let next = next.and_then(|list| {
+                while list.last().is_some_and(|&i| is_used[i]) {
+                    list.pop();
+                }
+                list.pop()
+            });
+            match next {
+                Some(next) => at = next,
+                None => break,
+            }
+        }
+        if !ring.is_empty() {
+            rings.push(ring);
+        }
+    }
+    rings
+}
+
+/// The normal of a triangle on the side that is seen.
+fn seen_normal(mesh: &Mesh, triangle: u32, facing: i32) -> DVec3 {
+    let at = |vertex: u32| mesh.vertices()[vertex as usize];
+    let [a, b, c] = mesh.triangles()[triangle as usize].map(at);
+    // Scaled first, so that products neither vanish nor overflow.
+    let (u, v) = (b - a, c - a);
+    let [u, v] = [u, v].map(|edge| edge / edge.abs().max_element());
+    u.cross(v).normalize_or_zero() * f64::from(facing)
+}
