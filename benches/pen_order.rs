@@ -148,7 +148,7 @@ fn separate(count: usize) -> Drawing {
     let style = LineStyle { width: 0.3, color: Color([0; 3]) };
     let layer =
         Layer { number: 1, label: "1-visible".into(), style, strokes, tags: LayerTags::default() };
-    Drawing { size: DVec2::new(420.0, 297.0), scale: 1.0, layers: vec![layer], fills: Vec::new() }
+    Drawing { size: DVec2::new(420.0, 297.0), scale: 1.0, layers: vec![layer], fills: Vec::new(), painting: Vec::new() }
 }
 
 /// Numbers from 0 to 1 that are the same in every run.

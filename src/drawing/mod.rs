@@ -31,6 +31,8 @@
 //! `broad_lines`, on request, makes strokes side by side of lines that are
 //! wider than the pen.
 //!
+//! `painting` is another way altogether: faces over one another, back to front.
+//!
 //! `cutting`, on request too, cuts strokes to what a plotter reaches.
 //!
 //! Nothing is decided here: which parts of a line are seen is settled, and
@@ -53,6 +55,7 @@ mod merging;
 mod options;
 mod ordering;
 mod page;
+mod painting;
 mod paper;
 mod placement;
 mod preset;
@@ -74,6 +77,7 @@ pub use length::Length;
 pub use options::{DrawingOptions, Hidden, HiddenBy, Join, LayerBy};
 pub use ordering::Effort;
 pub use page::{Content, Drawing, Layer, LayerTags, LineStyle};
+pub use painting::PaintedShape;
 pub use paper::Paper;
 pub use preset::Preset;
 pub use scale::Scale;

@@ -12,7 +12,7 @@ use super::smoothing::{Smoothing, smooth};
 use super::surfaces::{Light, crop_regions, fills};
 use super::weight::Weights;
 use super::{
-    Dash, DrawingError, DrawingOptions, FilledShape, Join, Strokes, Styles, SurfaceOptions,
+    Dash, DrawingError, DrawingOptions, FilledShape, Join, PaintedShape, Strokes, Styles, SurfaceOptions,
 };
 use crate::model::Color;
 use crate::run::map_indexed;
@@ -32,6 +32,8 @@ pub struct Drawing {
     pub layers: Vec<Layer>,
     /// Areas below all layers, in the order in which they are painted.
     pub fills: Vec<FilledShape>,
+    /// What is painted instead of layers and fills, back to front.
+    pub painting: Vec<PaintedShape>,
 }
 
 /// What is laid out on a page.
@@ -188,7 +190,7 @@ impl Drawing {
         let layers = hatched.into_iter().chain(finished);
         let layers = layers.filter(|layer| !layer.strokes.is_empty()).collect();
         let fills = fills(regions, light, surfaces.fill, place);
-        Ok(Drawing { size: placement.size, scale: placement.scale, layers, fills })
+        Ok(Drawing { size: placement.size, scale: placement.scale, layers, fills, painting: Vec::new() })
     }
 
     /// The same drawing with polylines nowhere farther than `flatness`

@@ -84,6 +84,7 @@ mod tests {
             scale: 1.0,
             layers: vec![layer],
             fills: Vec::new(),
+            painting: Vec::new(),
         };
         let sum = PenStatistics::of(&drawing);
         assert_eq!(sum, PenStatistics { strokes: 2, pens: 1, drawn: 60.0, pen_up: 30.0 });

@@ -107,20 +107,28 @@ pub(super) fn fills(
 ) -> Vec<FilledShape> {
     let mut shapes: BTreeMap<[u8; 3], Vec<Vec<DVec2>>> = BTreeMap::new();
     for region in &regions.regions {
-        let base = region.color.unwrap_or(PAPER_GREY).0;
         let color = match fill {
             Fill::None => return Vec::new(),
-            Fill::Flat => base,
-            Fill::Shade => {
-                let bright = AMBIENT + (1.0 - AMBIENT) * light.on(region);
-                base.map(|part| (f64::from(part) * bright).round() as u8)
-            }
+            fill => shade(region, light, fill).0,
         };
         let rings = region.polygons.iter().flatten();
         let rings = rings.map(|ring| ring.iter().map(|&point| place(point)).collect());
         shapes.entry(color).or_default().extend(rings);
     }
     shapes.into_iter().map(|(color, rings)| FilledShape { color: Color(color), rings }).collect()
+}
+
+/// The colour of a region: its own, and as bright as the light makes it if
+/// that is asked.
+pub(super) fn shade(region: &ImageRegion, light: Light, fill: Fill) -> Color {
+    let base = region.color.unwrap_or(PAPER_GREY);
+    match fill {
+        Fill::None | Fill::Flat => base,
+        Fill::Shade => {
+            let bright = AMBIENT + (1.0 - AMBIENT) * light.on(region);
+            Color(base.0.map(|part| (f64::from(part) * bright).round() as u8))
+        }
+    }
 }
 
 /// The regions as far as they lie in the window of the drawing, cut exactly.
@@ -156,7 +164,8 @@ pub(super) fn crop_regions<'a>(
 
 type Rings = Vec<Vec<DVec2>>;
 
-fn crop(polygon: &Rings, window: &Window) -> Result<Vec<Rings>, DrawingError> {
+/// What of a polygon lies in a window, cut exactly.
+pub(super) fn crop(polygon: &Rings, window: &Window) -> Result<Vec<Rings>, DrawingError> {
     let corners = || polygon.iter().flatten();
     if corners().all(|point| window.holds(*point)) {
         return Ok(vec![polygon.clone()]);

@@ -41,6 +41,12 @@ pub enum ExportError {
     /// More decimals than a coordinate is exact to.
     #[error("{0} decimals of a millimetre cannot be written; expected 0 to 9")]
     Precision(u8),
+    /// Areas over one another, for a pen.
+    #[error(
+        "{0}: a painted drawing is areas over one another, and only SVG and PNG have areas; \
+         expected a drawing of lines"
+    )]
+    Painted(&'static str),
     /// A page beyond the 16-bit numbers of plotters.
     #[error(
         "HPGL: the page of {width} x {height} mm has {units} plotter units of 0.025 mm along a \

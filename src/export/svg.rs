@@ -19,7 +19,8 @@
 
 use super::ExportError;
 use super::decimal::DecimalGrid;
-use crate::drawing::{Drawing, Layer, LayerTags, is_closed};
+use crate::drawing::{Drawing, Layer, LayerTags, Strokes, is_closed};
+use crate::model::Color;
 use crate::run::map_chunks;
 use ::svg::Document;
 use ::svg::node::Text;
@@ -89,6 +90,9 @@ pub fn to_svg(drawing: &Drawing, options: &SvgOptions) -> Result<String, ExportE
     if !drawing.fills.is_empty() {
         document = document.add(fills(drawing, grid));
     }
+    if !drawing.painting.is_empty() {
+        document = document.add(painting(drawing, grid));
+    }
     for layer in &drawing.layers {
         let group = match options.profile {
             SvgProfile::Plot => group(layer, grid),
@@ -110,11 +114,36 @@ fn fills(drawing: &Drawing, grid: DecimalGrid) -> Group {
         .set("stroke-width", SEAM)
         .set("stroke-linejoin", "round");
     drawing.fills.iter().fold(group, |group, shape| {
-        let [red, green, blue] = shape.color.0;
-        let color = format!("#{red:02x}{green:02x}{blue:02x}");
+        let color = hexadecimal(shape.color);
         let path = Path::new().set("fill", color.clone()).set("stroke", color);
         group.add(path.set("d", ring_data(&shape.rings, grid)))
     })
+}
+
+/// Areas over one another, each followed by its lines.
+fn painting(drawing: &Drawing, grid: DecimalGrid) -> Group {
+    let group = Group::new()
+        .set("id", "paint")
+        .set("inkscape:groupmode", "layer")
+        .set("inkscape:label", "0-paint")
+        .set("stroke-linecap", "round")
+        .set("stroke-linejoin", "round");
+    drawing.painting.iter().fold(group, |group, shape| {
+        let fill = hexadecimal(shape.color);
+        let data = ring_data(&shape.rings, grid);
+        let area = Path::new().set("fill", fill.clone()).set("stroke", fill);
+        let group = group.add(area.set("stroke-width", SEAM).set("d", data));
+        shape.lines.iter().fold(group, |group, (style, strokes)| {
+            let path = Path::new().set("fill", "none").set("stroke", hexadecimal(style.color));
+            let path = path.set("stroke-width", style.width);
+            group.add(path.set("d", stroke_data(strokes, grid)))
+        })
+    })
+}
+
+fn hexadecimal(color: Color) -> String {
+    let [red, green, blue] = color.0;
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// Closed rings as subpaths.
@@ -131,13 +160,12 @@ fn ring_data(rings: &[Vec<DVec2>], grid: DecimalGrid) -> String {
 }
 
 fn group(layer: &Layer, grid: DecimalGrid) -> Group {
-    let [red, green, blue] = layer.style.color.0;
     Group::new()
         .set("id", format!("layer{}", layer.number))
         .set("inkscape:groupmode", "layer")
         .set("inkscape:label", allowed(&layer.label))
         .set("fill", "none")
-        .set("stroke", format!("#{red:02x}{green:02x}{blue:02x}"))
+        .set("stroke", hexadecimal(layer.style.color))
         .set("stroke-width", layer.style.width)
         .set("stroke-linecap", "round")
         .set("stroke-linejoin", "round")
@@ -173,7 +201,10 @@ fn word(name: &str) -> String {
 
 /// All strokes of a layer as subpaths.
 fn path_data(layer: &Layer, grid: DecimalGrid) -> String {
-    let strokes = &layer.strokes;
+    stroke_data(&layer.strokes, grid)
+}
+
+fn stroke_data(strokes: &Strokes, grid: DecimalGrid) -> String {
     let chunks = map_chunks(strokes.len(), CHUNK, |range| {
         let mut text = String::new();
         let mut rounded = Vec::new();

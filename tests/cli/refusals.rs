@@ -30,9 +30,28 @@ fn command_lines_that_make_no_sense_end_with_two() {
             "--near needs a perspective camera: --eye or --camera\n",
         ),
         (
-            "draw cube.obj -o a.svg --method painter",
-            "--method painter: this build has no such method, expected appel, roberts or \
-             weiler-atherton\n",
+            "draw cube.obj -o a.hpgl --method painter --fill flat",
+            "--method painter: a pen cannot paint over what it drew, expected an SVG or PNG \
+             output, or --method appel\n",
+        ),
+        (
+            "draw cube.obj -o a.svg -o a.json --method painter",
+            "--method painter: JSON is for visible lines, and painted ones go on behind other \
+             faces, expected an SVG or PNG output, or --method appel\n",
+        ),
+        (
+            "draw cube.obj -o a.svg --method painter --hidden dashed",
+            "--method painter: what is painted over is gone, expected --hidden none or --method \
+             appel\n",
+        ),
+        (
+            "draw cube.obj -o a.svg --method painter --halo 1mm",
+            "--method painter: lines are drawn face by face, expected no flags for --halo, or \
+             --method appel\n",
+        ),
+        (
+            "draw cube.obj -o a.svg --painter list",
+            "--painter needs --method painter\n",
         ),
         (
             "raster cube.obj -o a.svg --show splits",

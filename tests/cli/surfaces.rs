@@ -66,3 +66,34 @@ fn surfaces_need_a_model_and_a_hatch_that_can_be_drawn() {
         "umriss: hatch lines 0.001 mm apart; expected at least 0.02 mm\n",
     );
 }
+
+#[test]
+fn a_painted_cube_covers_its_far_faces() {
+    let folder = Folder::with_cube();
+    for painter in ["graph", "list", "tree"] {
+        let flags = format!("--method painter --painter {painter} --fill shade");
+        folder.succeeds(&format!("draw cube.obj -o a.svg -o a.png {flags}"));
+        let text = folder.text("a.svg");
+        let paint = text.split("id=\"paint\"").nth(1).unwrap_or_default();
+        // Six faces, each an area and its lines; the three seen come last.
+        assert_eq!(paint.matches("<path").count(), 12, "{painter}");
+        assert_eq!(paint.matches("fill=\"none\"").count(), 6);
+        assert!(!text.contains("1-visible"));
+    }
+    folder.succeeds("draw cube.obj -o b.svg --method painter --eye 30,-40,25 --target 5,5,5");
+    let text = folder.text("b.svg");
+    assert!(text.contains("fill=\"#ffffff\""), "paper hides too");
+}
+
+#[test]
+fn bars_in_a_cycle_are_cut_and_counted() {
+    let folder = Folder::with_cube();
+    folder.write(
+        "bars.obj",
+        "v 0 0 0\nv 10 0 2\nv 10 1 2\nv 0 1 0\nv 9 0 0\nv 10 0 0\nv 10 10 2\nv 9 10 2\n\
+         v 0 1 2\nv 1 0 2\nv 10 9 0\nv 9 10 0\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\n",
+    );
+    let stats = folder.succeeds("draw bars.obj -o a.svg --view top --method painter --stats");
+    let line = stats.lines().find(|line| line.starts_with("painter-cuts")).unwrap_or_default();
+    assert!(line.trim_end().ends_with(" 1"), "{stats}");
+}

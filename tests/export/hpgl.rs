@@ -24,7 +24,7 @@ fn drawing(size: DVec2, strokes: &[Vec<DVec2>], number: u32) -> Drawing {
         strokes: all,
         tags: LayerTags::default(),
     };
-    Drawing { size, scale: 1.0, layers: vec![layer], fills: Vec::new() }
+    Drawing { size, scale: 1.0, layers: vec![layer], fills: Vec::new(), painting: Vec::new() }
 }
 
 #[test]

@@ -6,8 +6,9 @@ use crate::line_flags::{LineFlags, Method};
 use crate::model_flags::{ModelFlags, UnitName};
 use crate::models::{Subject, read_subject};
 use crate::object_flags::ObjectFlags;
-use crate::outputs::{Computed, OutputFlags};
+use crate::outputs::{Computed, OutputFlags, Outputs};
 use crate::page_flags::PageFlags;
+use crate::paint::{self, PaintFlags};
 use crate::pen_flags::PenFlags;
 use crate::plotter_flags::{Plotter, PlotterFlags};
 use crate::session::RunFlags;
@@ -17,9 +18,9 @@ use crate::surface_flags::SurfaceFlags;
 use clap::Args;
 use std::path::PathBuf;
 use umriss::drawing::{Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles};
-use umriss::export::DrawingNotes;
+use umriss::export::{DrawingNotes, OutputFormat};
 use umriss::kernel::predicates::Exact;
-use umriss::model::{Scene, Soup};
+use umriss::model::{LineOrigin, Scene, Soup};
 use umriss::run::Run;
 use umriss::view::{Crossing, ImageRegions, PreparedView, VisibleLines};
 use umriss::visibility::{
@@ -34,6 +35,7 @@ Examples:
   umriss draw part.stl -o part.hpgl --device hp7475a --margin 16mm --order best --speed 10
   umriss draw part.obj -o part.svg --eye 100,-200,80 --target 0,0,10
   umriss draw part.obj -o part.svg --fill shade --light -1,-2,3
+  umriss draw part.obj -o part.svg --method painter --fill shade
   umriss draw part.stl -o part.hpgl -o part.svg --hatch shade --hatch-spacing 0.8mm
   umriss draw part.obj -o part.json
   umriss draw part.json -o part.svg --paper 100x100mm    (restyled, not computed again)
@@ -83,6 +85,8 @@ pub(crate) struct Draw {
     #[arg(long, value_enum, value_name = "M", help_heading = "Lines")]
     method: Option<Method>,
     #[command(flatten)]
+    paint: PaintFlags,
+    #[command(flatten)]
     surfaces: SurfaceFlags,
     #[command(flatten)]
     page: PageFlags,
@@ -103,6 +107,7 @@ impl Draw {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let outputs = self.outputs.plan()?;
         let plotter = self.plotter.plotter()?;
+        self.refuse_what_is_not_painted(&outputs)?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
@@ -111,10 +116,12 @@ impl Draw {
         let hidden = self.options(&DrawingNotes::default()).hidden != Hidden::None;
         self.method.map_or(Ok(()), |method| method.check(hidden))?;
         let styles = self.style.styles()?;
+        let paints = self.method == Some(Method::Painter);
         let select = |soups: &mut Vec<Soup>| self.objects.select(soups, &styles);
         let subject = read_subject(&self.models, &self.model, &select, &self.session, run)?;
         let mut regions = ImageRegions::default();
         let (lines, notes) = match subject {
+            Subject::Scene(scene) if paints => return self.paint(&scene, &styles, run),
             Subject::Scene(scene) => {
                 let (lines, crossings);
                 (lines, crossings, regions) = self.find(&scene, hidden, &styles, run)?;
@@ -198,6 +205,48 @@ impl Draw {
             None => ImageRegions::default(),
         };
         Ok((lines, crossings, regions))
+    }
+
+    /// The scene painted back to front.
+    fn paint(&self, scene: &Scene, styles: &Styles, run: &Run<'_>) -> Result<Computed, Failure> {
+        let view = self.camera.view(&scene.mesh)?;
+        let wishes = self.objects.wishes(&scene.mesh, &self.lines.options(), styles);
+        if wishes.iter().any(|wish| wish.see_through) {
+            return Err(Failure::usage(OPAQUE_ONLY));
+        }
+        let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
+        let question = prepared.question(false);
+        if question.lines.iter().any(|line| !matches!(line.origin, LineOrigin::Edge(_))) {
+            self.session.note(paint::LINES_LEFT_OUT);
+        }
+        let notes = DrawingNotes { unit: Some(scene.unit), ..DrawingNotes::default() };
+        let (options, surfaces) = (self.options(&notes), self.surfaces.options());
+        let (lines, drawing) = self.paint.paint(&question, &options, styles, &surfaces, run)?;
+        Ok(Computed { lines, notes, drawing })
+    }
+
+    /// A pen cannot paint over what it drew, and lines that are painted over
+    /// are not cut where they end.
+    fn refuse_what_is_not_painted(&self, outputs: &Outputs<'_>) -> Result<(), Failure> {
+        if self.method != Some(Method::Painter) {
+            return self.paint.refuse();
+        }
+        if outputs.any(OutputFormat::Hpgl) {
+            return Err(Failure::usage(paint::NO_PLOTTER));
+        }
+        if outputs.any(OutputFormat::Json) {
+            return Err(Failure::usage(paint::NO_LINES));
+        }
+        let flag = self
+            .style
+            .of_lines_only()
+            .or(self.strokes.any().then_some("--join, --simplify, --fit and --min-length"))
+            .or(self.surfaces.hatches().then_some("--hatch"))
+            .or(self.pen.any().then_some("--order and --pen-width"));
+        match flag {
+            Some(flag) => Err(Failure::usage(paint::lines_only(flag))),
+            None => Ok(()),
+        }
     }
 
     /// What a computed drawing has settled cannot be asked for again.

@@ -6,7 +6,7 @@ use umriss::export::ExportError;
 use umriss::model::CameraError;
 use umriss::model::import::ImportError;
 use umriss::run::Cancelled;
-use umriss::visibility::RegionsError;
+use umriss::visibility::{PainterError, RegionsError};
 
 /// The end of a command that did not do what it was asked to do.
 #[derive(Debug)]
@@ -89,6 +89,12 @@ impl From<Cancelled> for Failure {
 
 impl From<RegionsError> for Failure {
     fn from(error: RegionsError) -> Self {
+        Failure::Failed(error.to_string())
+    }
+}
+
+impl From<PainterError> for Failure {
+    fn from(error: PainterError) -> Self {
         Failure::Failed(error.to_string())
     }
 }

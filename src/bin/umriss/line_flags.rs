@@ -51,25 +51,23 @@ pub(crate) enum Method {
     Roberts,
     /// The borders of what is seen of each face; visible lines only, and only those of faces
     WeilerAtherton,
-    /// Back to front
-    #[value(hide = true)]
+    /// Faces over one another, back to front, with their lines; SVG and PNG only
     Painter,
 }
 
 impl Method {
-    /// Refuses methods that this build has not got, and wishes that a
-    /// method cannot fulfil.
+    /// Refuses wishes that a method cannot fulfil.
     pub(crate) fn check(self, hidden_wanted: bool) -> Result<(), Failure> {
         match self {
             Method::WeilerAtherton if hidden_wanted => Err(Failure::usage(
                 "--method weiler-atherton: regions know nothing of hidden lines, expected \
                  --hidden none or --method appel",
             )),
-            Method::Appel | Method::Roberts | Method::WeilerAtherton => Ok(()),
-            Method::Painter => Err(Failure::usage(
-                "--method painter: this build has no such method, expected appel, roberts or \
-                 weiler-atherton",
+            Method::Painter if hidden_wanted => Err(Failure::usage(
+                "--method painter: what is painted over is gone, expected --hidden none or \
+                 --method appel",
             )),
+            _ => Ok(()),
         }
     }
 

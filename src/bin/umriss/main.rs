@@ -26,6 +26,7 @@ mod models;
 mod object_flags;
 mod outputs;
 mod page_flags;
+mod paint;
 mod pen_flags;
 #[cfg(feature = "png")]
 mod picture;

@@ -79,6 +79,11 @@ impl OutputFlags {
 }
 
 impl Outputs<'_> {
+    /// Whether some output has this format.
+    pub(crate) fn any(&self, format: OutputFormat) -> bool {
+        self.outputs.iter().any(|output| output.format == format)
+    }
+
     /// Renders everything, then writes everything.
     pub(crate) fn write(
         &self,

@@ -22,6 +22,11 @@ pub(crate) struct PenFlags {
 }
 
 impl PenFlags {
+    /// Whether any flag was given.
+    pub(crate) fn any(&self) -> bool {
+        self.order.is_some() || self.pen_width.is_some()
+    }
+
     /// Whether the strokes are put in order, if `default` is what is done
     /// without a flag.
     pub(crate) fn orders(&self, default: Effort) -> bool {

@@ -24,6 +24,14 @@ pub(crate) struct StrokeFlags {
 }
 
 impl StrokeFlags {
+    /// Whether any flag was given.
+    pub(crate) fn any(&self) -> bool {
+        self.join.is_some()
+            || self.simplify.is_some()
+            || self.fit.is_some()
+            || self.min_length.is_some()
+    }
+
     /// The options with these wishes in them.
     pub(crate) fn apply(&self, options: DrawingOptions) -> DrawingOptions {
         DrawingOptions {

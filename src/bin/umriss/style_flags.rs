@@ -66,6 +66,18 @@ impl StyleFlags {
         }
     }
 
+    /// The first flag that asks for what only lines on paper of their own have.
+    pub(crate) fn of_lines_only(&self) -> Option<&'static str> {
+        let flags = [
+            ("--halo", self.halo.is_some()),
+            ("--weight", self.weight.is_some()),
+            ("--outline", self.outline.is_some()),
+            ("--outline-of", self.outline_of.is_some()),
+            ("--hidden-by", self.hidden_by.is_some()),
+        ];
+        flags.into_iter().find(|(_, given)| *given).map(|(flag, _)| flag)
+    }
+
     /// How SVG is written.
     pub(crate) fn svg(&self, precision: u8) -> SvgOptions {
         SvgOptions { precision, command: None, profile: self.svg.unwrap_or_default() }

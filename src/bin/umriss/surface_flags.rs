@@ -33,6 +33,11 @@ pub(crate) struct SurfaceFlags {
 }
 
 impl SurfaceFlags {
+    /// Whether surfaces are hatched.
+    pub(crate) fn hatches(&self) -> bool {
+        self.hatch.is_some()
+    }
+
     /// Whether anything is drawn of surfaces.
     pub(crate) fn any(&self) -> bool {
         self.hatch.is_some() || !matches!(self.fill, None | Some(Fill::None))

@@ -83,6 +83,9 @@ pub fn to_hpgl(drawing: &Drawing) -> Result<String, ExportError> {
 /// If the device has no sheet of the page's size, or does not reach a stroke,
 /// or cannot draw at the speed asked for.
 pub fn to_hpgl_with(drawing: &Drawing, options: &HpglOptions) -> Result<String, ExportError> {
+    if !drawing.painting.is_empty() {
+        return Err(ExportError::Painted("HPGL"));
+    }
     let drawing = &drawing.flat(FLATNESS * options.device.unit);
     let device = &options.device;
     let sheet = Sheet::new(device, drawing.size)?;
