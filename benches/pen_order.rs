@@ -100,6 +100,7 @@ fn whole() -> Outcome<()> {
         hidden: Hidden::Dashed,
         halo: "0.3mm".parse()?,
         weight: Some("0.35..0.1mm".parse()?),
+        junctions: true,
         ..DrawingOptions::default()
     };
     println!("\n| all edges of a torus | seconds |");
@@ -231,8 +232,10 @@ fn grid() -> Outcome<()> {
         counters: Counters::default(),
     };
     let start = Instant::now();
-    let mut drawing =
-        Drawing::new(&lines, &DrawingOptions { paper: Paper::A4, ..DrawingOptions::default() })?;
+    let mut drawing = Drawing::new(
+        &lines,
+        &DrawingOptions { paper: Paper::A4, junctions: true, ..DrawingOptions::default() },
+    )?;
     drawing.order(Effort::Best);
     let seconds = start.elapsed().as_secs_f64();
     let trails = drawing.layers[0].strokes.len();

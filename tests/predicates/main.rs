@@ -336,6 +336,14 @@ proptest! {
             prop_assert_eq!(order, truth);
             let turned = bench.exact.order_along_image(reference.reversed(), axis, first, second);
             prop_assert_eq!(turned, truth.reverse());
+            if let Some(truth) = bench.truth.nearer([&start, &end], &x) {
+                let nearer = bench.exact.nearer_than(reference, axis, first);
+                prop_assert_eq!(nearer, truth, "{:?} {:?} {}", reference, first, perspective);
+                let nearer = bench.thorough.nearer_than(reference, axis, first);
+                prop_assert_eq!(nearer, truth);
+                let turned = bench.exact.nearer_than(reference.reversed(), axis, first);
+                prop_assert_eq!(turned, truth);
+            }
             Ok(())
         })?;
     }

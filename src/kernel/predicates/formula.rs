@@ -25,6 +25,8 @@ pub enum Predicate {
     Order,
     /// Two places along coincident images.
     AlongImage,
+    /// A place before or behind a line with the same image.
+    Depth,
     /// Two lines in space.
     Skew,
     /// A vertex beside a carrier's image.
@@ -47,7 +49,7 @@ pub enum Predicate {
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 14;
+    pub const COUNT: usize = 15;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -57,6 +59,7 @@ impl Predicate {
         ["filter-failures-value", "big-integers-value"],
         ["filter-failures-order", "big-integers-order"],
         ["filter-failures-along-image", "big-integers-along-image"],
+        ["filter-failures-depth", "big-integers-depth"],
         ["filter-failures-skew", "big-integers-skew"],
         ["filter-failures-image-side", "big-integers-image-side"],
         ["filter-failures-fold", "big-integers-fold"],
@@ -123,6 +126,17 @@ fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
     let pivot = points.vertex::<R>(r);
     let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
     determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
+}
+
+/// `[p, q, k, r]` with the axis direction `k` at infinity.
+fn axis_plane<R: Ring>(points: &Points, [p, q]: [u32; 2], axis: u8, r: u32) -> R {
+    let pivot = points.vertex::<R>(r);
+    let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
+    determinant3(
+        difference(points.vertex(p), &pivot),
+        difference(points.vertex(q), &pivot),
+        direction,
+    )
 }
 
 /// The value of the linear functional `f` at `point`, times the positive
@@ -273,6 +287,32 @@ impl Formula for ImageSide {
         let [start, end] = self.0.ends;
         at_point(points, self.1, &|x| {
             at_point(points, start, &|p| at_point(points, end, &|q| side(points, p, q, x)))
+        })
+    }
+}
+
+/// `[start, end, k, x]` of a carrier, an axis direction `k` and a place in
+/// the plane of the carrier and the eye: on which side of the carrier's line
+/// the place lies in that plane, up to the sense of the line.
+pub(super) struct Depth {
+    pub(super) carrier: Carrier,
+    pub(super) place: Located,
+    pub(super) axis: u8,
+}
+
+impl Formula for Depth {
+    const PREDICATE: Predicate = Predicate::Depth;
+
+    fn degree(&self) -> u32 {
+        3 + self.carrier.ends.map(weight_degree).iter().sum::<u32>() + self.place.degree()
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let [start, end] = self.carrier.ends;
+        self.place.apply(points, &|x| {
+            apply(points, start, &|p| {
+                apply(points, end, &|q| axis_plane(points, [p, q], self.axis, x))
+            })
         })
     }
 }
