@@ -115,6 +115,12 @@ impl Reference {
             Cut::Vertex(vertex, axis) => {
                 bracket([&self.eye, &self.vertex(vertex), &direction(axis), x])
             }
+            Cut::NearLine([a, b, c]) => {
+                let [a, b, c] = [a, b, c].map(|i| self.vertex(i));
+                let face = |x: &Row| bracket([&a, &b, &c, x]);
+                self.functional(Cut::Near, x) * face(&self.eye)
+                    - face(x) * self.functional(Cut::Near, &self.eye)
+            }
             Cut::Near => match &self.near {
                 None => IBig::from(1),
                 Some((forward, offset)) => {

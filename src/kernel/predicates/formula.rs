@@ -176,7 +176,29 @@ fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
         Cut::Silhouette([a, b]) => side(points, a, b, x),
         Cut::Vertex(vertex, axis) => axis_side(points, vertex, axis, x),
         Cut::Near => near_at_vertex(points, x),
+        Cut::NearLine(face) => near_line_at_vertex(points, face, x),
     }
+}
+
+/// The degree of a cut's functional at a vertex.
+#[inline(always)]
+fn cut_degree(cut: Cut) -> u32 {
+    match cut {
+        Cut::Face(_) | Cut::Silhouette(_) | Cut::Vertex(..) | Cut::Near => 3,
+        Cut::NearLine(_) => 6,
+    }
+}
+
+/// `n(x) f(E) - f(x) n(E)` for the functionals of the near plane and a face:
+/// a plane through their common line, and zero at the eye.
+#[inline(never)]
+fn near_line_at_vertex<R: Ring>(points: &Points, [a, b, c]: [u32; 3], x: u32) -> R {
+    let Some((_, offset)) = points.near::<R>() else {
+        return R::read(1.0, 0);
+    };
+    // [a, b, c, E] = -[E, a, b, c], and n(E) is minus the offset.
+    orientation::<R>(points, a, b, c, x) * offset
+        - near_at_vertex::<R>(points, x) * side::<R>(points, a, b, c)
 }
 
 /// `forward . (x - eye) - offset`; positive in front of the near plane.
@@ -264,7 +286,7 @@ impl Formula for Value {
 
     #[inline(always)]
     fn degree(&self) -> u32 {
-        3 + weight_degree(self.1)
+        cut_degree(self.0) + weight_degree(self.1)
     }
 
     #[inline(always)]
@@ -379,7 +401,8 @@ impl Formula for Order {
     const PREDICATE: Predicate = Predicate::Order;
 
     fn degree(&self) -> u32 {
-        6 + self.carrier.ends.map(weight_degree).iter().sum::<u32>()
+        let weights = self.carrier.ends.map(weight_degree).iter().sum::<u32>();
+        cut_degree(self.first) + cut_degree(self.second) + weights
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
@@ -403,7 +426,7 @@ impl Formula for Combination {
     const PREDICATE: Predicate = Predicate::Combination;
 
     fn degree(&self) -> u32 {
-        3 + self.carrier.ends.map(weight_degree).iter().sum::<u32>()
+        cut_degree(self.cut) + self.carrier.ends.map(weight_degree).iter().sum::<u32>()
     }
 
     fn bits(&self, spread: u32) -> u32 {
@@ -435,7 +458,7 @@ impl Formula for Between {
 
     fn degree(&self) -> u32 {
         let [first, second] = self.places.map(|located| located.degree());
-        3 + first.max(second)
+        cut_degree(self.cut) + first.max(second)
     }
 
     fn bits(&self, spread: u32) -> u32 {
@@ -467,7 +490,7 @@ impl Located {
         match self.place {
             Place::Start => start,
             Place::End => end,
-            Place::Cut(_) => 3 + start + end,
+            Place::Cut(cut) => cut_degree(cut) + start + end,
         }
     }
 
