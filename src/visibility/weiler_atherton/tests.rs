@@ -1,11 +1,10 @@
 //! Scenes whose regions are known.
 
-use super::{RegionFault, RegionOptions, image_regions, region_lines, visible_regions};
+use super::{RegionFault, RegionOptions, image_regions, visible_regions};
 use crate::kernel::predicates::Exact;
 use crate::model::{Camera, FeatureOptions, Mesh, Soup};
 use crate::run::Run;
 use crate::view::{ImageRegion, PreparedView};
-use crate::visibility::reduce;
 use glam::{DVec2, DVec3, dvec3};
 
 fn mesh(faces: &[&[DVec3]]) -> Mesh {
@@ -159,52 +158,6 @@ fn faces_end_at_the_near_plane() {
     assert_eq!(areas(&found[1..]), [(1, 0.25)]);
     let highest = found[0].polygons.iter().flatten().flatten().map(|p| p.y).fold(-9.0, f64::max);
     assert!((highest + 1.0 / 9.0).abs() < 1e-12);
-}
-
-#[test]
-fn a_line_ends_where_the_near_plane_cuts_another_face() {
-    // A catwalk from behind the eye, and a wall beyond its end that reaches
-    // far up and down: its left side shows above and below.
-    let walk = [
-        dvec3(-0.25, -9.0, 0.0),
-        dvec3(0.25, -9.0, 0.0),
-        dvec3(0.25, 9.0, 0.0),
-        dvec3(-0.25, 9.0, 0.0),
-    ];
-    let wall = [
-        dvec3(1.0, 10.0, -30.0),
-        dvec3(20.0, 10.0, -30.0),
-        dvec3(20.0, 10.0, 5.0),
-        dvec3(1.0, 10.0, 5.0),
-    ];
-    let camera = Camera::Perspective {
-        eye: dvec3(0.0, 0.0, 1.0),
-        target: Some(dvec3(0.0, 1.0, 1.0)),
-        up: DVec3::Z,
-        near: Some(0.5),
-        fov_y_degrees: 60.0,
-    };
-    let (mesh, run) = (mesh(&[&walk, &wall]), Run::default());
-    let view = camera.view(mesh.bounds()).expect("a view");
-    let prepared = PreparedView::new::<Exact>(&mesh, &view, &FeatureOptions::default(), &run);
-    let prepared = prepared.expect("a view");
-    let question = prepared.question(false);
-    let regions = visible_regions::<Exact>(&question, &RegionOptions::default(), &run);
-    let lines = region_lines::<Exact>(&question, &regions.expect("regions"), &run);
-    let drawn = reduce::<Exact>(&question, &lines.expect("lines"), &run).expect("not cancelled");
-    let mut side: Vec<[f64; 2]> = drawn
-        .pieces
-        .iter()
-        .filter(|piece| piece.points.iter().all(|point| (point.x - 0.1).abs() < 1e-12))
-        .map(|piece| piece.points.map(|point| point.y))
-        .map(|[a, b]| [a.min(b), a.max(b)])
-        .collect();
-    side.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    // The walk is cut half in front of the eye, one below it.
-    for (found, expected) in side.iter().flatten().zip([-3.1, -2.0, -0.4, 0.4]) {
-        assert!((found - expected).abs() < 1e-12, "{side:?}");
-    }
-    assert_eq!(side.len(), 2);
 }
 
 #[test]
