@@ -27,8 +27,7 @@ fn exact_pieces(question: &SurfaceQuestion<'_>) -> Vec<Vec<[f64; 2]>> {
         Place::Start => 0.0,
         Place::End => 1.0,
         Place::Cut(cut) => {
-            let values: [Measured; 2] =
-                carrier.ends.map(|end| predicates.value(cut, end));
+            let values: [Measured; 2] = carrier.ends.map(|end| predicates.value(cut, end));
             predicates.parameter(carrier, cut, &values)
         }
     };

@@ -33,10 +33,12 @@ impl Default for CurveOptions {
 ///
 /// First the curves of constant z, row by row; then those of constant x,
 /// column by column; the diagonals, row by row; at last the four sides of
-/// the base and the four corners of its walls.
+/// the base, place by place, and the four corners of its walls.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Curves {
     columns: u32,
+    /// Cells along each side.
+    sides: [u32; 4],
     /// The first line of each row, if it is drawn.
     rows: Vec<Option<u32>>,
     /// The first line of each column.
@@ -69,8 +71,9 @@ impl Curves {
         let along = |i| drawn(options.constant_x, i, columns - 1);
         let across = (0..columns).map(|i| next(along(i), rows - 1)).collect();
         let diagonals = next(options.diagonals, (columns - 1) * (rows - 1));
-        let base = next(surface.has_base(), 8);
-        Curves { columns, rows: rows_drawn, across, diagonals, base, count }
+        let sides = [0, 1, 2, 3].map(|side| surface.length_of_side(side) - 1);
+        let base = next(surface.has_base(), sides.iter().sum::<u32>() + 4);
+        Curves { columns, sides, rows: rows_drawn, across, diagonals, base, count }
     }
 
     /// The number of lines.
@@ -94,14 +97,15 @@ impl Curves {
         }
     }
 
-    /// The line along a side of the base; sides as in [`Surface::side_corners`].
-    pub fn base_side(&self, side: usize) -> Option<u32> {
-        self.base.map(|first| first + side as u32)
+    /// The line along a side of the base from a place to the next; sides and
+    /// places as in [`Surface::place_on_side`].
+    pub fn base_line(&self, side: usize, place: u32) -> Option<u32> {
+        self.base.map(|first| first + self.sides[..side].iter().sum::<u32>() + place)
     }
 
     /// The line from a corner of the grid to the base.
     pub fn base_corner(&self, corner: usize) -> Option<u32> {
-        self.base.map(|first| first + 4 + corner as u32)
+        self.base.map(|first| first + self.sides.iter().sum::<u32>() + corner as u32)
     }
 
     /// The vertices of all lines, in their order. O(n).
@@ -121,10 +125,15 @@ impl Curves {
             }
         }
         if self.base.is_some() {
-            let side = |side| surface.side_corners(side).map(|corner| surface.base_corner(corner));
-            lines.extend((0..4).map(side));
-            let corners = surface.corners().into_iter().enumerate();
-            lines.extend(corners.map(|(i, corner)| [corner, surface.base_corner(i)]));
+            let foot = |[i, j]: [u32; 2]| surface.base_vertex(i, j);
+            for side in 0..4 {
+                let end = |place| foot(surface.place_on_side(side, place));
+                lines.extend((0..self.sides[side]).map(|place| [end(place), end(place + 1)]));
+            }
+            lines.extend((0..4).map(|corner| {
+                let [i, j] = surface.corner(corner);
+                [at(i, j), foot([i, j])]
+            }));
         }
         lines
     }
@@ -149,12 +158,15 @@ mod tests {
             let curves = Curves::new(&surface, &options);
             let lines = curves.lines(&surface);
             assert_eq!(lines.len(), curves.len());
-            for (index, &line) in lines[..lines.len() - 8].iter().enumerate() {
+            let base = curves.base.unwrap() as usize;
+            for (index, &line) in lines[..base].iter().enumerate() {
                 assert_eq!(curves.line(line), Some(index as u32));
             }
-            let (base, corner) = (curves.base_side(3).unwrap(), curves.base_corner(0).unwrap());
-            assert_eq!(lines[base as usize], [1, 3].map(|corner| surface.base_corner(corner)));
-            assert_eq!(lines[corner as usize], [0, surface.base_corner(0)]);
+            let last = curves.base_line(3, surface.rows() - 2).unwrap();
+            let foot = |row| surface.base_vertex(surface.columns() - 1, row);
+            assert_eq!(lines[last as usize], [surface.rows() - 2, surface.rows() - 1].map(foot));
+            let corner = curves.base_corner(0).unwrap();
+            assert_eq!(lines[corner as usize], [0, surface.base_vertex(0, 0)]);
         }
     }
 

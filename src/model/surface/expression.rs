@@ -1,5 +1,6 @@
 //! Heights from an expression of x and z.
 
+use super::powers::bind_powers;
 use super::{Heights, SurfaceError};
 use crate::run::map_indexed;
 use exmex::{Express, FlatEx};
@@ -9,14 +10,16 @@ impl Heights {
     /// a grid; missing where it has no finite value. O(n).
     ///
     /// Operators are those of the crate exmex: + - * / ^, functions such as
-    /// sin, cos, exp, ln, sqrt, abs, and the constants PI and E.
+    /// sin, cos, exp, ln, sqrt, abs, and the constants PI and E. Powers bind
+    /// as mathematicians write them: `-x^2` is -(x^2), `x^y^2` is x^(y^2).
     ///
     /// # Errors
     ///
     /// If it cannot be read or has other variables, or as [`Heights::new`].
     pub fn of_expression(text: &str, xs: Vec<f64>, zs: Vec<f64>) -> Result<Self, SurfaceError> {
         let wrong = |message: String| SurfaceError::Expression { text: text.to_owned(), message };
-        let expression = FlatEx::<f64>::parse(text).map_err(|error| wrong(error.to_string()))?;
+        let expression =
+            FlatEx::<f64>::parse(&bind_powers(text)).map_err(|error| wrong(error.to_string()))?;
         // Variables are passed in the order in which the crate lists them.
         let mut axes = Vec::new();
         for name in expression.var_names() {
@@ -55,9 +58,12 @@ mod tests {
     #[test]
     fn variables_are_told_apart_by_name() {
         assert_eq!(values("z*10 + x").unwrap(), [30.0, 31.0, 32.0, 50.0, 51.0, 52.0]);
-        assert_eq!(values("-x^2").unwrap(), [0.0, -1.0, -4.0, 0.0, -1.0, -4.0].map(f64::from));
+        assert_eq!(values("-x^2").unwrap(), [0.0, -1.0, -4.0, 0.0, -1.0, -4.0]);
         assert_eq!(values("z").unwrap(), [3.0, 3.0, 3.0, 5.0, 5.0, 5.0]);
         assert_eq!(values("7").unwrap(), [7.0; 6]);
+        assert_eq!(values("8/2*4-1.5e1 + 0*x").unwrap(), [1.0; 6]);
+        assert_eq!(values("2^3^2 - 2*-x^2/-1 - 2*x^2 + 2^-1").unwrap(), [512.5; 6]);
+        assert_eq!(values("-(1+x)^2 + (x+1)^2 + sqrt(z)^2").unwrap()[0], 3_f64.sqrt().powf(2.0));
         let found = values("sin(x)*cos(z)").unwrap();
         assert_eq!(found[4], 1_f64.sin() * 5_f64.cos());
     }

@@ -14,6 +14,8 @@ mod error;
 #[cfg(feature = "surface")]
 mod expression;
 mod heights;
+#[cfg(feature = "surface")]
+mod powers;
 mod solid;
 
 pub use curves::{CurveOptions, Curves};

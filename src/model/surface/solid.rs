@@ -6,9 +6,9 @@ use glam::DVec3;
 
 /// Heights everywhere on a grid, and perhaps walls down to a base.
 ///
-/// Vertices are numbered row by row, each from least x; behind them come the
-/// four corners of the base, at least and greatest x of the first row, then
-/// of the last.
+/// Vertices are numbered row by row, each from least x. Behind them come those
+/// of the base, one under each of the border: under the first row, the last
+/// row, and what is between at least and at greatest x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     heights: Heights,
@@ -61,16 +61,40 @@ impl Surface {
         row * self.columns() + column
     }
 
-    /// The corners of the grid: least and greatest x of the first row, then
-    /// of the last.
-    pub fn corners(&self) -> [u32; 4] {
-        let (right, far) = (self.columns() - 1, self.rows() - 1);
-        [[0, 0], [right, 0], [0, far], [right, far]].map(|[i, j]| self.vertex(i, j))
+    /// The vertex of the base under one of the border.
+    pub fn base_vertex(&self, column: u32, row: u32) -> u32 {
+        let (columns, rows) = (self.columns(), self.rows());
+        let along = if row == 0 {
+            column
+        } else if row == rows - 1 {
+            columns + column
+        } else {
+            2 * columns + row - 1 + if column == 0 { 0 } else { rows - 2 }
+        };
+        columns * rows + along
     }
 
-    /// The corner of the base below a corner of the grid.
-    pub fn base_corner(&self, corner: usize) -> u32 {
-        self.columns() * self.rows() + corner as u32
+    /// The column and the row of a place along a border; borders are the
+    /// first row, the last row, least x and greatest x.
+    pub fn place_on_side(&self, side: usize, place: u32) -> [u32; 2] {
+        match side {
+            0 => [place, 0],
+            1 => [place, self.rows() - 1],
+            2 => [0, place],
+            _ => [self.columns() - 1, place],
+        }
+    }
+
+    /// The number of places along a border.
+    pub fn length_of_side(&self, side: usize) -> u32 {
+        if side < 2 { self.columns() } else { self.rows() }
+    }
+
+    /// The column and the row of a corner: least and greatest x of the first
+    /// row, then of the last.
+    pub fn corner(&self, corner: usize) -> [u32; 2] {
+        let (right, far) = (self.columns() - 1, self.rows() - 1);
+        [[0, 0], [right, 0], [0, far], [right, far]][corner]
     }
 
     /// All vertices, in the world: z up.
@@ -83,8 +107,15 @@ impl Surface {
             vertices.extend(xs.iter().zip(row).map(|(&x, &y)| DVec3::new(x, -z, y) + DVec3::ZERO));
         }
         if let Some(base) = self.base {
-            for corner in self.corners() {
-                vertices.push(vertices[corner as usize].with_z(base));
+            let inner = 1..self.rows() - 1;
+            let sides =
+                [(0, 0..self.columns()), (1, 0..self.columns()), (2, inner.clone()), (3, inner)];
+            for (side, places) in sides {
+                for place in places {
+                    let [i, j] = self.place_on_side(side, place);
+                    let above = vertices[self.vertex(i, j) as usize];
+                    vertices.push(above.with_z(base));
+                }
             }
         }
         vertices
@@ -101,7 +132,7 @@ impl Surface {
         (DVec3::new(xs[0], -near, least), DVec3::new(right, -zs[0], greatest))
     }
 
-    /// The cells as triangles, walls as polygons, and `curves` as loose
+    /// The cells as triangles, walls as quadrilaterals, and `curves` as loose
     /// lines: a model for any method.
     pub fn soup(&self, name: &str, curves: &Curves) -> Soup {
         let mut soup = Soup {
@@ -119,10 +150,13 @@ impl Surface {
             }
         }
         if self.has_base() {
-            for (side, border) in self.sides().into_iter().enumerate() {
-                let [first, last] = self.side_corners(side).map(|corner| self.base_corner(corner));
-                let wall: Vec<u32> = border.into_iter().chain([last, first]).collect();
-                soup.faces.push(&wall, []);
+            for side in 0..4 {
+                for place in 1..self.length_of_side(side) {
+                    let ends = [place - 1, place].map(|place| self.place_on_side(side, place));
+                    let [a, b] = ends.map(|[i, j]| self.vertex(i, j));
+                    let [c, d] = ends.map(|[i, j]| self.base_vertex(i, j));
+                    soup.faces.push(&[a, b, d, c], []);
+                }
             }
         }
         soup
@@ -137,22 +171,13 @@ impl Surface {
         Mesh::of_lines(name, self.vertices(), curves.lines(self))
     }
 
-    /// The corners from and to which a border goes: those of the first and
-    /// the last row, then of least and greatest x.
-    pub fn side_corners(&self, side: usize) -> [usize; 2] {
-        [[0, 1], [2, 3], [0, 2], [1, 3]][side]
-    }
-
-    /// The vertices of the four borders. O(rows + columns).
-    pub fn sides(&self) -> [Vec<u32>; 4] {
-        let (right, far) = (self.columns() - 1, self.rows() - 1);
-        let row = |j| (0..=right).map(|i| self.vertex(i, j)).collect::<Vec<_>>();
-        let column = |i| (0..=far).map(|j| self.vertex(i, j)).collect::<Vec<_>>();
-        [row(0), row(far), column(0), column(right)]
-    }
-
     fn border(&self) -> impl Iterator<Item = u32> {
-        self.sides().into_iter().flatten()
+        (0..4).flat_map(move |side| {
+            (0..self.length_of_side(side)).map(move |place| {
+                let [i, j] = self.place_on_side(side, place);
+                self.vertex(i, j)
+            })
+        })
     }
 }
 
@@ -172,16 +197,25 @@ mod tests {
         let surface = Surface::new(hill(), Some(0.0)).unwrap();
         let curves = Curves::new(&surface, &CurveOptions::default());
         let mesh = Mesh::new(vec![surface.soup("hill", &curves)], None).unwrap();
-        assert_eq!(mesh.face_count(), 8 + 4);
+        assert_eq!(mesh.face_count(), 8 + 8);
         assert_eq!(mesh.report().nonplanar_faces, 0);
         let borders = (0..mesh.edges().len() as u32)
             .filter(|&edge| mesh.edges().triangles(edge).len() == 1)
             .count();
         // Only the bottom is open.
-        assert_eq!(borders, 4);
-        assert_eq!(mesh.vertices().len(), 13);
+        assert_eq!(borders, 8);
+        assert_eq!(mesh.vertices().len(), 9 + 8);
+        assert_eq!(mesh.report().welded_vertices, 0);
         assert_eq!(mesh.vertices()[5], DVec3::new(2.0, -1.0, 2.0));
         assert_eq!(mesh.bounds(), surface.bounds());
+        for side in 0..4 {
+            for place in 0..3 {
+                let [i, j] = surface.place_on_side(side, place);
+                let [top, foot] = [surface.vertex(i, j), surface.base_vertex(i, j)];
+                let at = |vertex: u32| mesh.vertices()[vertex as usize];
+                assert_eq!(at(foot), at(top).with_z(0.0));
+            }
+        }
     }
 
     #[test]

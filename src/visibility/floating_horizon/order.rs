@@ -21,7 +21,8 @@
 //! the row that it touches and before the diagonals.
 //!
 //! A base adds the near walls before everything, as what every column begins
-//! with, and the far walls behind everything.
+//! with, and the far walls behind everything. Walls along columns are seen from
+//! their edge, and their base comes row by row.
 
 use super::HorizonError;
 use crate::kernel::predicates::Eye;
@@ -33,8 +34,9 @@ use std::ops::Range;
 pub(super) enum Step {
     /// The side or diagonal of a cell.
     Cell([u32; 2]),
-    /// A side of the base, as numbered by [`Surface::side_corners`].
-    BaseSide(usize),
+    /// Part of a side of the base: the side, and the place where it begins,
+    /// as numbered by [`Surface::place_on_side`].
+    Base(usize, u32),
     /// From a corner of the grid to the base.
     BaseCorner(usize),
     /// A row of cells is done.
@@ -58,9 +60,14 @@ pub(super) struct Order {
     vertical: Range<usize>,
     /// Whether diagonals lead away from the eye to the right.
     diagonals_rise: bool,
-    /// The near sides of the rectangle, as numbered by [`Surface::side_corners`].
+    /// The near sides of the rectangle, as numbered by [`Surface::place_on_side`].
     near_sides: Vec<usize>,
-    has_base: bool,
+    /// The cells along each side, if there is a base.
+    base: Option<[u32; 4]>,
+    /// The sides on the left and on the right.
+    flanks: [usize; 2],
+    /// Whether places along these sides go away from the eye.
+    outward: bool,
 }
 
 /// Where columns come from along a row.
@@ -115,7 +122,14 @@ impl Order {
             rows: lines as usize - 1,
             diagonals_rise: rightwards != from_last,
             near_sides: near_sides(eye, [ex, ez], ends(xs), ends(zs)),
-            has_base: surface.has_base(),
+            base: surface.has_base().then(|| [0, 1, 2, 3].map(|s| surface.length_of_side(s) - 1)),
+            flanks: match (constant_z, rightwards) {
+                (true, true) => [2, 3],
+                (true, false) => [3, 2],
+                (false, true) => [0, 1],
+                (false, false) => [1, 0],
+            },
+            outward: !from_last,
             middle,
             vertical,
         })
@@ -124,9 +138,9 @@ impl Order {
     /// Visits all steps in order. O(n).
     pub(super) fn walk<E>(&self, visit: &mut impl FnMut(Step) -> Result<(), E>) -> Result<(), E> {
         let near_corners = self.near_corners();
-        if self.has_base {
+        if let Some(lengths) = self.base {
             for &side in &self.near_sides {
-                visit(Step::BaseSide(side))?;
+                (0..lengths[side]).try_for_each(|place| visit(Step::Base(side, place)))?;
             }
             for corner in (0..4).filter(|&corner| near_corners[corner]) {
                 visit(Step::BaseCorner(corner))?;
@@ -139,16 +153,24 @@ impl Order {
         for cell in 0..self.cells {
             visit(self.along(cell, self.rows))?;
         }
-        if self.has_base {
+        if let Some(lengths) = self.base {
             // A wall hides nothing of its own border.
             for corner in (0..4).filter(|&corner| !near_corners[corner]) {
                 visit(Step::BaseCorner(corner))?;
             }
-            for side in (0..4).filter(|side| !self.near_sides.contains(side)) {
-                visit(Step::BaseSide(side))?;
+            let upright = [0, 1].map(|end| self.is_edge_on(end).then_some(self.flanks[end]));
+            let far =
+                |side: &usize| !self.near_sides.contains(side) && !upright.contains(&Some(*side));
+            for side in (0..4).filter(far) {
+                (0..lengths[side]).try_for_each(|place| visit(Step::Base(side, place)))?;
             }
         }
         Ok(())
+    }
+
+    /// Whether the left or the right wall is seen from its edge.
+    fn is_edge_on(&self, end: usize) -> bool {
+        self.vertical.contains(&[0, self.cells][end])
     }
 
     /// The points of a row.
@@ -166,6 +188,12 @@ impl Order {
         }
         for line in self.vertical.clone() {
             visit(self.across(line, row))?;
+        }
+        if self.base.is_some() {
+            let place = if self.outward { row } else { self.rows - 1 - row };
+            for end in (0..2).filter(|&end| self.is_edge_on(end)) {
+                visit(Step::Base(self.flanks[end], place as u32))?;
+            }
         }
         for cell in self.middle.clone() {
             visit(self.diagonal(cell, row))?;

@@ -23,23 +23,23 @@ fn surface(columns: usize, heights: &[f64], base: Option<f64>) -> Surface {
     Surface::new(heights, base).expect("a surface")
 }
 
-fn view_of(surface: &Surface, eye: Eye) -> View {
+/// The view of a surface, unless the eye is in its middle.
+fn view(surface: &Surface, eye: Eye) -> Option<View> {
     let vertices = surface.vertices();
     let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let bounds = vertices.iter().fold(empty, |(a, b), &p| (a.min(p), b.max(p)));
-    let camera = match eye {
-        Eye::Towards(towards) => {
-            Camera::Orthographic { forward: -towards, target: None, up: DVec3::Z }
+    let camera = |up| match eye {
+        Eye::Towards(towards) => Camera::Orthographic { forward: -towards, target: None, up },
+        Eye::At(eye) => {
+            Camera::Perspective { eye, target: None, up, near: Some(0.25), fov_y_degrees: 60.0 }
         }
-        Eye::At(eye) => Camera::Perspective {
-            eye,
-            target: None,
-            up: DVec3::Z,
-            near: Some(0.25),
-            fov_y_degrees: 60.0,
-        },
     };
-    camera.view(bounds).expect("a view")
+    // What is up in the picture does not matter.
+    [DVec3::Z, DVec3::Y].into_iter().find_map(|up| camera(up).view(bounds).ok())
+}
+
+fn view_of(surface: &Surface, eye: Eye) -> View {
+    view(surface, eye).expect("a view")
 }
 
 fn by_horizon(surface: &Surface, view: &View, hidden: bool) -> Result<ExactLines, HorizonError> {
@@ -100,7 +100,9 @@ fn pieces(lines: &ExactLines, line: usize) -> Vec<([Place; 2], bool)> {
 
 /// Holds the answers against each other, line by line.
 fn compare(surface: &Surface, eye: Eye, hidden: bool, judge: bool) -> Result<usize, String> {
-    let view = view_of(surface, eye);
+    let Some(view) = view(surface, eye) else {
+        return Ok(0);
+    };
     let horizon = by_horizon(surface, &view, hidden).map_err(|error| error.to_string())?;
     let mesh = by_mesh(surface, &view, hidden, judge);
     let vertices = surface.vertices();
@@ -265,7 +267,7 @@ fn what_is_beyond_its_reach_is_refused_with_advice() {
 #[test]
 fn lines_end_at_the_near_plane() {
     let surface = surface(9, &[0.0; 81], None);
-    let view = view_of(&surface, Eye::At(dvec3(9.0, 0.5, 1.0)));
+    let view = view_of(&surface, Eye::At(dvec3(4.5, 0.125, 0.5)));
     let points = Points::new(&surface.vertices(), view.eye, view.near);
     let predicates = Predicates::<Exact>::new(&points);
     let found = by_horizon(&surface, &view, false).unwrap();
@@ -279,5 +281,5 @@ fn lines_end_at_the_near_plane() {
             assert!(found.line(index).is_empty());
         }
     }
-    compare(&surface, Eye::At(dvec3(9.0, 0.5, 1.0)), true, false).unwrap();
+    compare(&surface, Eye::At(dvec3(4.5, 0.125, 0.5)), true, false).unwrap();
 }

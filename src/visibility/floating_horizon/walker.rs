@@ -47,12 +47,16 @@ impl<'q, P: Policy> Walker<'q, P> {
         let (surface, curves) = (self.question.surface, self.question.curves);
         match step {
             Step::Cell([a, b]) => self.segment([a, b], curves.line([a.min(b), a.max(b)])),
-            Step::BaseSide(side) => {
-                let ends = surface.side_corners(side).map(|corner| surface.base_corner(corner));
-                self.segment(ends, curves.base_side(side));
+            Step::Base(side, place) => {
+                let ends = [place, place + 1].map(|place| {
+                    let [i, j] = surface.place_on_side(side, place);
+                    surface.base_vertex(i, j)
+                });
+                self.segment(ends, curves.base_line(side, place));
             }
             Step::BaseCorner(corner) => {
-                let ends = [surface.corners()[corner], surface.base_corner(corner)];
+                let [i, j] = surface.corner(corner);
+                let ends = [surface.vertex(i, j), surface.base_vertex(i, j)];
                 self.segment(ends, curves.base_corner(corner));
             }
             Step::RowDone => {}
