@@ -61,7 +61,7 @@ mod tests {
         assert_eq!(values("-x^2").unwrap(), [0.0, -1.0, -4.0, 0.0, -1.0, -4.0]);
         assert_eq!(values("z").unwrap(), [3.0, 3.0, 3.0, 5.0, 5.0, 5.0]);
         assert_eq!(values("7").unwrap(), [7.0; 6]);
-        assert_eq!(values("8/2*4-1.5e1 + 0*x").unwrap(), [1.0; 6]);
+        assert_eq!(values("8/2*4-1.5E+1 + 0*x").unwrap(), [1.0; 6]);
         assert_eq!(values("2^3^2 - 2*-x^2/-1 - 2*x^2 + 2^-1").unwrap(), [512.5; 6]);
         assert_eq!(values("-(1+x)^2 + (x+1)^2 + sqrt(z)^2").unwrap()[0], 3_f64.sqrt().powf(2.0));
         let found = values("sin(x)*cos(z)").unwrap();
@@ -86,5 +86,12 @@ mod tests {
         assert!(error.ends_with(", expected an expression of x and z as in sin(x)*cos(z)"));
         assert!(values("").is_err());
         assert!(values("x +").is_err());
+        for text in [
+            "(", ")", "()", ",", "x,z", "^", "x^", "^x", "-", "ü!§^", "ä", "{", "{x", "}", "sin",
+            "sin()", "x z", "2x", "..", "1.2.3", "1e", "x(z)", "max(x)", "max(x,", "\u{0}", "x\nz",
+            "é^2", "x^^2", "((x)",
+        ] {
+            let _ = values(text);
+        }
     }
 }

@@ -1,4 +1,5 @@
-//! Powers in brackets, so that they bind as mathematicians write them.
+//! Powers in brackets, so that they bind as mathematicians write them, and
+//! numbers without exponents, which the parser does not know.
 //!
 //! The parser of expressions lets a sign bind closer than a power, so that
 //! `-x^2` would be (-x)^2, and takes powers from the left. Brackets around each
@@ -73,7 +74,7 @@ impl<'t> Scan<'t> {
 
     /// A number, a name, a name with its bracket, or a bracket.
     fn operand(&mut self) -> String {
-        let mut found = self.take(self.word()).to_owned();
+        let mut found = plain(self.take(self.word()));
         if self.rest.starts_with('(') {
             found.push_str(self.take(1));
             found.push_str(&self.terms());
@@ -109,6 +110,15 @@ impl<'t> Scan<'t> {
     }
 }
 
+/// A number without its exponent, the same double; other words as they are.
+fn plain(word: &str) -> String {
+    let number = word.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    match word.parse::<f64>() {
+        Ok(value) if number && value.is_finite() && word.contains(['e', 'E']) => value.to_string(),
+        _ => word.to_owned(),
+    }
+}
+
 fn is_operator(c: char) -> bool {
     c.is_whitespace() || matches!(c, '+' | '-' | '*' | '/' | '^' | ',' | '%')
 }
@@ -129,8 +139,8 @@ mod tests {
             ("a^b^c", "(a^((b^(c))))"),
             ("2*-(x+1)^n", "2*-((x+1)^(n))"),
             ("exp(-(x^2+z^2)/8)", "exp(-((x^(2))+(z^(2)))/8)"),
-            ("sin(x ^ 2) ^ -1.5e-3", "(sin((x^( 2)))^( -1.5e-3))"),
-            ("1e3-2", "1e3-2"),
+            ("sin(x ^ 2) ^ -1.5e-3", "(sin((x^( 2)))^( -0.0015))"),
+            ("1e3-2-x2e5", "1000-2-x2e5"),
         ] {
             assert_eq!(bind_powers(text), bound);
         }

@@ -94,7 +94,9 @@ impl Horizon {
         let start = match questions.compare(first.start, a) {
             Ordering::Greater => {
                 self.fresh.push((Break::Vertex(a), segment));
-                if questions.compare(first.start, b) != Ordering::Less {
+                let touching = questions.compare(first.start, b);
+                if touching != Ordering::Less {
+                    debug_assert!(touching == Ordering::Equal, "a gap in the horizon");
                     track.go(State::Beyond, Place::End);
                     return self.replace(NONE, self.first);
                 }
@@ -102,6 +104,7 @@ impl Horizon {
                 self.first
             }
             _ if questions.compare(self.end, a) != Ordering::Greater => {
+                debug_assert!(questions.compare(self.end, a).is_eq(), "a gap in the horizon");
                 track.go(State::Beyond, Place::End);
                 self.fresh.push((Break::Vertex(a), segment));
                 self.end = Break::Vertex(b);
@@ -116,97 +119,39 @@ impl Horizon {
     fn pass<P: Policy>(
         &mut self,
         questions: &Questions<'_, P>,
-        segment @ [a, b]: Segment,
+        segment @ [_, b]: Segment,
         start: u32,
         track: &mut Track,
     ) {
-        let mut index = start;
-        let mut from = self.piece(start).start;
         let mut changed = !self.fresh.is_empty();
-        // How much higher than the horizon the segment is, at its left end
-        // or where the horizon begins.
-        let mut left = if changed {
-            self.rise(questions, segment, from)
-        } else {
-            let piece = self.piece(start);
-            let rise = self.sense * questions.above(piece.segment, a);
-            if questions.compare(from, a) == Ordering::Less {
-                self.fresh.push((from, piece.segment));
-                from = Break::Vertex(a);
-            } else if rise == Sign::Positive {
-                // A break is a point of the horizon, so it stays otherwise.
-                from = Break::Vertex(a);
-            }
-            rise
-        };
+        let (mut from, mut left) = self.enter(questions, segment, start);
+        let mut index = start;
         loop {
             let piece = self.piece(index);
             let end = self.end_of(&piece);
-            let beyond_end = questions.compare(end, b);
-            let right = if beyond_end == Ordering::Less {
+            let side = questions.compare(end, b);
+            let goes_on = side == Ordering::Less;
+            let right = if goes_on {
                 debug_assert!(self.is_continuous(questions, &piece, end));
                 self.rise(questions, segment, end)
             } else {
                 self.sense * questions.above(piece.segment, b)
             };
-            let until = match beyond_end {
-                Ordering::Less if left.is_zero() && right.is_zero() && piece.next != NONE => {
-                    // The segments part at the break, which the other tells.
+            let until = match (goes_on, left.or(right)) {
+                (false, _) => Place::End,
+                // Where both lie on one line, the next piece tells the place.
+                (true, Sign::Zero) if piece.next != NONE => {
                     place_at(end, self.piece(piece.next).segment)
                 }
-                Ordering::Less => place_at(end, piece.segment),
-                _ => Place::End,
+                (true, _) => place_at(end, piece.segment),
             };
-            let crossing = Break::Crossing([piece.segment, segment]);
-            let cut = Place::Cut(Cut::Silhouette(piece.segment));
-            match (left, right) {
-                (Sign::Zero, Sign::Zero) => {
-                    self.cover(from, piece.segment);
-                    track.go(State::On, until);
-                }
-                (Sign::Positive, Sign::Negative) => {
-                    self.cover(from, segment);
-                    self.cover(crossing, piece.segment);
-                    track.go(State::Beyond, cut);
-                    track.go(State::Within, until);
-                    changed = true;
-                }
-                (Sign::Negative, Sign::Positive) => {
-                    self.cover(from, piece.segment);
-                    self.cover(crossing, segment);
-                    track.go(State::Within, cut);
-                    track.go(State::Beyond, until);
-                    changed = true;
-                }
-                (Sign::Negative, _) | (_, Sign::Negative) => {
-                    self.cover(from, piece.segment);
-                    track.go(State::Within, until);
-                }
-                _ => {
-                    self.cover(from, segment);
-                    track.go(State::Beyond, until);
-                    changed = true;
-                }
+            changed |= self.take(segment, &piece, from, [left, right], until, track);
+            if goes_on && piece.next != NONE {
+                (index, left, from) = (piece.next, right, end);
+                continue;
             }
-            match beyond_end {
-                Ordering::Greater => self.cover(Break::Vertex(b), piece.segment),
-                Ordering::Equal if right == Sign::Positive && piece.next != NONE => {
-                    // The higher side of a jump gives it its name.
-                    self.pieces[piece.next as usize].start = Break::Vertex(b);
-                }
-                Ordering::Less if piece.next == NONE => {
-                    // The segment goes on where nothing is covered.
-                    self.cover(end, segment);
-                    track.go(State::Beyond, Place::End);
-                    self.end = Break::Vertex(b);
-                    changed = true;
-                }
-                _ => {}
-            }
-            if beyond_end != Ordering::Less || piece.next == NONE {
-                break;
-            }
-            (index, left, from) = (piece.next, right, end);
+            changed |= self.leave(segment, &piece, side, right, track);
+            break;
         }
         if changed {
             let (before, behind) = (self.piece(start).previous, self.piece(index).next);
@@ -215,6 +160,105 @@ impl Horizon {
         } else {
             self.finger = index;
         }
+    }
+
+    /// Where a segment and the horizon have their first common column, and
+    /// how much higher the segment is there.
+    fn enter<P: Policy>(
+        &mut self,
+        questions: &Questions<'_, P>,
+        segment @ [a, _]: Segment,
+        start: u32,
+    ) -> (Break, Sign) {
+        let piece = self.piece(start);
+        if !self.fresh.is_empty() {
+            // The segment comes from where nothing is covered.
+            return (piece.start, self.rise(questions, segment, piece.start));
+        }
+        let rise = self.sense * questions.above(piece.segment, a);
+        if questions.compare(piece.start, a) == Ordering::Less {
+            self.fresh.push((piece.start, piece.segment));
+            return (Break::Vertex(a), rise);
+        }
+        // Both begin in one column. A break is a point of the horizon, so
+        // the vertex takes its place only where it is one.
+        let from = if rise == Sign::Positive { Break::Vertex(a) } else { piece.start };
+        (from, rise)
+    }
+
+    /// Takes what is higher of a segment and a piece, from one break to the
+    /// next, where the segment is higher than the piece by these signs.
+    /// Whether that changes the horizon.
+    fn take(
+        &mut self,
+        segment: Segment,
+        piece: &Piece,
+        from: Break,
+        rise: [Sign; 2],
+        until: Place,
+        track: &mut Track,
+    ) -> bool {
+        let crossing = Break::Crossing([piece.segment, segment]);
+        let cut = Place::Cut(Cut::Silhouette(piece.segment));
+        match rise {
+            [Sign::Zero, Sign::Zero] => {
+                self.cover(from, piece.segment);
+                track.go(State::On, until);
+                false
+            }
+            [Sign::Positive, Sign::Negative] => {
+                self.cover(from, segment);
+                self.cover(crossing, piece.segment);
+                track.go(State::Beyond, cut);
+                track.go(State::Within, until);
+                true
+            }
+            [Sign::Negative, Sign::Positive] => {
+                self.cover(from, piece.segment);
+                self.cover(crossing, segment);
+                track.go(State::Within, cut);
+                track.go(State::Beyond, until);
+                true
+            }
+            [Sign::Negative, _] | [_, Sign::Negative] => {
+                self.cover(from, piece.segment);
+                track.go(State::Within, until);
+                false
+            }
+            _ => {
+                self.cover(from, segment);
+                track.go(State::Beyond, until);
+                true
+            }
+        }
+    }
+
+    /// What comes behind the last piece that a segment passes, whose end is
+    /// on this side of the segment's. Whether that changes the horizon.
+    fn leave(
+        &mut self,
+        segment @ [_, b]: Segment,
+        piece: &Piece,
+        side: Ordering,
+        rise: Sign,
+        track: &mut Track,
+    ) -> bool {
+        match side {
+            Ordering::Greater => self.cover(Break::Vertex(b), piece.segment),
+            Ordering::Equal if rise == Sign::Positive && piece.next != NONE => {
+                // The higher side of a jump gives it its name.
+                self.pieces[piece.next as usize].start = Break::Vertex(b);
+            }
+            Ordering::Equal => {}
+            Ordering::Less => {
+                // The segment goes on where nothing is covered.
+                self.cover(self.end, segment);
+                track.go(State::Beyond, Place::End);
+                self.end = Break::Vertex(b);
+                return true;
+            }
+        }
+        false
     }
 
     /// The segments of the horizon just left and just right of the column

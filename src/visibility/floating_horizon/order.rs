@@ -64,6 +64,8 @@ pub(super) struct Order {
     near_sides: Vec<usize>,
     /// The cells along each side, if there is a base.
     base: Option<[u32; 4]>,
+    /// The side of the nearest row.
+    front: usize,
     /// The sides on the left and on the right.
     flanks: [usize; 2],
     /// Whether places along these sides go away from the eye.
@@ -123,6 +125,7 @@ impl Order {
             diagonals_rise: rightwards != from_last,
             near_sides: near_sides(eye, [ex, ez], ends(xs), ends(zs)),
             base: surface.has_base().then(|| [0, 1, 2, 3].map(|s| surface.length_of_side(s) - 1)),
+            front: if constant_z { 0 } else { 2 } + usize::from(from_last),
             flanks: match (constant_z, rightwards) {
                 (true, true) => [2, 3],
                 (true, false) => [3, 2],
@@ -139,8 +142,13 @@ impl Order {
     pub(super) fn walk<E>(&self, visit: &mut impl FnMut(Step) -> Result<(), E>) -> Result<(), E> {
         let near_corners = self.near_corners();
         if let Some(lengths) = self.base {
-            for &side in &self.near_sides {
-                (0..lengths[side]).try_for_each(|place| visit(Step::Base(side, place)))?;
+            // Away from the front's corners, so that each piece touches the
+            // horizon.
+            (0..lengths[self.front]).try_for_each(|place| visit(Step::Base(self.front, place)))?;
+            for &side in self.near_sides.iter().filter(|side| **side != self.front) {
+                let last = lengths[side] - 1;
+                let place = |step| if self.outward { step } else { last - step };
+                (0..=last).try_for_each(|step| visit(Step::Base(side, place(step))))?;
             }
             for corner in (0..4).filter(|&corner| near_corners[corner]) {
                 visit(Step::BaseCorner(corner))?;

@@ -115,9 +115,8 @@ impl<'q, P: Policy> Walker<'q, P> {
             // Its image is a point, or behind the eye.
             return ends;
         }
-        for (horizon, sense, first) in
-            [(&mut self.upper, Sign::Positive, 0), (&mut self.lower, Sign::Negative, 1)]
-        {
+        let horizons = [(&mut self.upper, Sign::Positive, 0), (&mut self.lower, Sign::Negative, 1)];
+        for (horizon, sense, first) in horizons {
             for (side, segment) in horizon.beside(&self.questions, ends[0]).into_iter().enumerate()
             {
                 let rise = |segment, end| sense * self.questions.above(segment, end);
