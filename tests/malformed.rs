@@ -6,10 +6,19 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use umriss::model::import::{Format, read_bytes};
+use umriss::model::import::{Format, HeightFormat, ImportError, read_bytes, read_heights_bytes};
 
 fn check(name: &str) {
     let format = Format::from_name(name).expect("a format");
+    check_with(name, 20, |file, bytes| read_bytes(file, bytes, Some(format)).map(drop));
+}
+
+fn check_heights(name: &str) {
+    let format = HeightFormat::from_name(name).expect("a format");
+    check_with(name, 14, |file, bytes| read_heights_bytes(file, bytes, Some(format)).map(drop));
+}
+
+fn check_with(name: &str, least: usize, read: impl Fn(&str, &[u8]) -> Result<(), ImportError>) {
     let folder = Path::new("tests/malformed");
     let table = std::fs::read_to_string(folder.join(name).with_extension("txt")).expect("table");
     let expected: BTreeMap<_, _> =
@@ -19,13 +28,13 @@ fn check(name: &str) {
         let path = entry.expect("entry").path();
         let file = path.file_name().and_then(|file| file.to_str()).expect("name").to_owned();
         let bytes = std::fs::read(&path).expect("file");
-        let error = match read_bytes(&file, &bytes, Some(format)) {
+        let error = match read(&file, &bytes) {
             Ok(_) => "read without an error".to_owned(),
             Err(error) => error.to_string(),
         };
         found.insert(file, error);
     }
-    assert!(20 <= found.len(), "only {} files", found.len());
+    assert!(least <= found.len(), "only {} files", found.len());
     let mut wrong = String::new();
     for (file, error) in &found {
         if expected.get(&**file) != Some(&&**error) {
@@ -67,4 +76,20 @@ fn malformed_polygon_scene_gives_one_error_with_its_line() {
 #[test]
 fn malformed_gltf_gives_one_error_with_its_line_or_byte() {
     check("gltf");
+}
+
+#[test]
+fn malformed_csv_gives_one_error_with_its_line() {
+    check_heights("csv");
+}
+
+#[test]
+fn malformed_esri_grid_gives_one_error_with_its_line() {
+    check_heights("asc");
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn malformed_height_map_gives_one_error() {
+    check_heights("png");
 }

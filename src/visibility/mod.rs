@@ -4,8 +4,10 @@
 //! other. [`outlined`] tells outer outlines from other lines, [`reduce`] turns
 //! the common answer into the lines of a drawing. [`visible_lines`] does it
 //! all. [`visible_regions`] finds what is seen of each face.
+//! [`floating_horizon`] draws surfaces over a grid, and nothing else, soonest.
 
 mod appel;
+mod floating_horizon;
 mod outline;
 mod reduce;
 mod roberts;
@@ -13,6 +15,7 @@ mod visible_lines;
 mod weiler_atherton;
 
 pub use appel::{AppelOptions, Fault, appel};
+pub use floating_horizon::{HorizonError, floating_horizon};
 pub use outline::outlined;
 pub use reduce::{reduce, reduce_with_crossings};
 pub use roberts::roberts;

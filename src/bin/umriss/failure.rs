@@ -5,8 +5,9 @@ use umriss::drawing::DrawingError;
 use umriss::export::ExportError;
 use umriss::model::CameraError;
 use umriss::model::import::ImportError;
+use umriss::model::surface::SurfaceError;
 use umriss::run::Cancelled;
-use umriss::visibility::RegionsError;
+use umriss::visibility::{HorizonError, RegionsError};
 
 /// The end of a command that did not do what it was asked to do.
 #[derive(Debug)]
@@ -90,6 +91,22 @@ impl From<Cancelled> for Failure {
 impl From<RegionsError> for Failure {
     fn from(error: RegionsError) -> Self {
         Failure::Failed(error.to_string())
+    }
+}
+
+impl From<HorizonError> for Failure {
+    fn from(error: HorizonError) -> Self {
+        match error {
+            HorizonError::Cancelled(error) => Failure::from(error),
+            _ => Failure::Usage(error.to_string()),
+        }
+    }
+}
+
+/// Ranges and expressions are what was wished for.
+impl From<SurfaceError> for Failure {
+    fn from(error: SurfaceError) -> Self {
+        Failure::Usage(error.to_string())
     }
 }
 

@@ -45,11 +45,13 @@ pub enum Predicate {
     Bend,
     /// Which of two points of the image is swept first.
     Sweep,
+    /// Which of two vertices is further to the left.
+    Column,
 }
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 15;
+    pub const COUNT: usize = 16;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -69,6 +71,7 @@ impl Predicate {
         ["filter-failures-beside", "big-integers-beside"],
         ["filter-failures-bend", "big-integers-bend"],
         ["filter-failures-sweep", "big-integers-sweep"],
+        ["filter-failures-column", "big-integers-column"],
     ];
 }
 
