@@ -15,8 +15,9 @@ const MOST: usize = 1 << 28;
 
 /// Reads an image.
 pub(super) fn read(bytes: &[u8]) -> Read<Heights> {
-    let wrong =
-        |error: &dyn std::fmt::Display| Fault::file(format!("{error}, expected a sound PNG image"));
+    if !bytes.starts_with(SIGNATURE) {
+        return Err(Fault::file("the file does not begin like an image, expected PNG"));
+    }
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::IDENTITY);
     let mut reader = decoder.read_info().map_err(damage)?;
