@@ -134,8 +134,8 @@ const SURFACES: [(&str, &str, &str); 3] = [
     ),
     (
         "surface-ridges",
-        "8*exp(-(x^2+z^2)/12)*cos(2*sqrt(x^2+z^2))",
-        "--x -9..9 --z -9..9 --nx 361 --nz 73 --curves z --no-borders --direction 0,1,-0.7 --style fine.toml",
+        "4*exp(-(x^2+z^2)/20)*cos(2*sqrt(x^2+z^2))",
+        "--x -9..9 --z -9..9 --nx 361 --nz 121 --curves z --no-borders --direction 0,1,-0.7 --style fine.toml",
     ),
     (
         "island",

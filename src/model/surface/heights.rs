@@ -13,9 +13,9 @@ pub struct Heights {
     values: Vec<f64>,
 }
 
-/// What of a grid is left after missing heights were cut off.
+/// A part of a grid: what is left after missing heights were cut off.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Cut {
+pub struct Rectangle {
     /// The columns, counted from 0.
     pub columns: Range<usize>,
     /// The rows, counted from 0.
@@ -141,12 +141,12 @@ impl Heights {
     /// # Errors
     ///
     /// If not even 2 x 2 points are left.
-    pub fn cut_to_complete(self) -> Result<(Self, Cut), SurfaceError> {
+    pub fn cut_to_complete(self) -> Result<(Self, Rectangle), SurfaceError> {
         let columns = self.xs.len();
         // Above each point of a row, how many rows are complete: the
         // largest rectangle under that histogram ends in this row.
         let mut above = vec![0_usize; columns];
-        let mut best: Option<(usize, Cut)> = None;
+        let mut best: Option<(usize, Rectangle)> = None;
         for row in 0..self.zs.len() {
             for (column, run) in above.iter_mut().enumerate() {
                 *run = if self.values[row * columns + column].is_nan() { 0 } else { *run + 1 };
@@ -155,7 +155,7 @@ impl Heights {
                 let area = columns.len() * height;
                 let wide = columns.len() >= 2 && height >= 2;
                 if wide && best.as_ref().is_none_or(|(most, _)| *most < area) {
-                    best = Some((area, Cut { columns, rows: row + 1 - height..row + 1 }));
+                    best = Some((area, Rectangle { columns, rows: row + 1 - height..row + 1 }));
                 }
             }
         }
@@ -239,7 +239,7 @@ mod tests {
             &[12.0, 13.0, 14.0, GAP],
         ]);
         let (left, cut) = whole.cut_to_complete().unwrap();
-        assert_eq!(cut, Cut { columns: 1..4, rows: 0..3 });
+        assert_eq!(cut, Rectangle { columns: 1..4, rows: 0..3 });
         assert_eq!(left.values(), [1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 9.0, 10.0, 11.0]);
         assert_eq!((left.xs(), left.zs()), (&[1.0, 2.0, 3.0][..], &[0.0, 1.0, 2.0][..]));
         let lost = grid(&[&[1.0, GAP], &[GAP, 1.0]]);

@@ -20,5 +20,5 @@ mod solid;
 
 pub use curves::{CurveOptions, Curves};
 pub use error::SurfaceError;
-pub use heights::{Cut as HeightsCut, Heights};
+pub use heights::{Heights, Rectangle};
 pub use solid::Surface;

@@ -6,7 +6,7 @@ use super::horizon::Horizon;
 use super::order::Step;
 use super::tracks::{State, Track, merge};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
+use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy};
 use crate::run::Run;
 use crate::view::{ExactLines, ExactPiece, SurfaceQuestion};
 use std::cmp::Ordering;
@@ -31,7 +31,7 @@ impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn new(question: &'q SurfaceQuestion<'q>) -> Self {
         Walker {
             question,
-            questions: Questions { predicates: Predicates::new(question.lines.points) },
+            questions: Questions::new(question.lines.points),
             upper: Horizon::new(Sign::Positive),
             lower: Horizon::new(Sign::Negative),
             pieces: Vec::new(),

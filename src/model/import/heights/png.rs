@@ -4,19 +4,23 @@
 use super::super::error::{Fault, Read};
 use super::on_columns_and_rows;
 use crate::model::surface::Heights;
-use png::{BitDepth, ColorType, Decoder, Transformations};
+use png::{BitDepth, ColorType, Decoder, DecodingError, Transformations};
 use std::io::Cursor;
+
+/// How every PNG image begins.
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// More pixels than this are not believed.
 const MOST: usize = 1 << 28;
 
 /// Reads an image.
 pub(super) fn read(bytes: &[u8]) -> Read<Heights> {
-    let wrong =
-        |error: &dyn std::fmt::Display| Fault::file(format!("{error}, expected a sound PNG image"));
+    if !bytes.starts_with(SIGNATURE) {
+        return Err(Fault::file("the file does not begin like an image, expected PNG"));
+    }
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::IDENTITY);
-    let mut reader = decoder.read_info().map_err(|error| wrong(&error))?;
+    let mut reader = decoder.read_info().map_err(damage)?;
     let (color, depth) = reader.output_color_type();
     if color != ColorType::Grayscale || !matches!(depth, BitDepth::Eight | BitDepth::Sixteen) {
         let found = name_of(color);
@@ -34,7 +38,7 @@ pub(super) fn read(bytes: &[u8]) -> Read<Heights> {
         return Err(Fault::file(message));
     };
     let mut samples = vec![0; size];
-    reader.next_frame(&mut samples).map_err(|error| wrong(&error))?;
+    reader.next_frame(&mut samples).map_err(damage)?;
     let values = match depth {
         BitDepth::Sixteen => samples
             .chunks_exact(2)
@@ -43,6 +47,16 @@ pub(super) fn read(bytes: &[u8]) -> Read<Heights> {
         _ => samples.into_iter().map(f64::from).collect(),
     };
     on_columns_and_rows(width, values)
+}
+
+/// What is wrong with an image, in words that do not change with the decoder.
+fn damage(error: DecodingError) -> Fault {
+    let what = match error {
+        DecodingError::IoError(_) => "the image ends early",
+        DecodingError::LimitsExceeded => "the image takes too much memory",
+        DecodingError::Format(_) | DecodingError::Parameter(_) => "the image is damaged",
+    };
+    Fault::file(format!("{what}, expected a sound PNG image"))
 }
 
 fn name_of(color: ColorType) -> &'static str {
