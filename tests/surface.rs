@@ -16,13 +16,14 @@ fn surface(side: usize, height: impl Fn(f64, f64) -> f64) -> Surface {
     let place = |i: usize| 12.0 * i as f64 / (side - 1) as f64 - 6.0;
     let rows = (0..side).map(|j| (0..side).map(move |i| (i, j)));
     let values = rows.flatten().map(|(i, j)| height(place(i), place(j)) * side as f64).collect();
-    Surface::new(Heights::new(steps.clone(), steps, values).unwrap(), None).unwrap()
+    let heights = Heights::new(steps.clone(), steps, values).expect("steps that grow");
+    Surface::new(heights, None).expect("a surface")
 }
 
 /// The visible pieces of a line, from 0 to 1 along it.
 fn exact_pieces(question: &SurfaceQuestion<'_>) -> Vec<Vec<[f64; 2]>> {
     let predicates = Predicates::<Exact>::new(question.lines.points);
-    let answer = floating_horizon::<Exact>(question, &Run::default()).unwrap();
+    let answer = floating_horizon::<Exact>(question, &Run::default()).expect("an answer");
     let share = |carrier: Carrier, place| match place {
         Place::Start => 0.0,
         Place::End => 1.0,
@@ -50,13 +51,14 @@ fn distance(pieces: &[[f64; 2]], at: f64) -> f64 {
 /// method and, by the other, not visible within a column of there.
 fn differences(surface: &Surface, forward: DVec3, columns: u32) -> [usize; 2] {
     let camera = Camera::Orthographic { forward, target: None, up: DVec3::Z };
-    let view = camera.view(surface.bounds()).unwrap();
+    let view = camera.view(surface.bounds()).expect("a view");
     let run = Run::default();
     let options = CurveOptions::default();
-    let prepared = PreparedSurface::new("wave", surface, &view, &options, &run).unwrap();
+    let prepared = PreparedSurface::new("wave", surface, &view, &options, &run)
+        .expect("a surface that can be seen so");
     let question = prepared.question(false);
     let exact = exact_pieces(&question);
-    let found = horizon_columns(&question, columns, &run).unwrap();
+    let found = horizon_columns(&question, columns, &run).expect("columns");
     let vertices = surface.vertices();
     let lines = Curves::new(surface, &options).lines(surface);
     let [mut places, mut off] = [0; 2];
@@ -125,7 +127,8 @@ fn arrays_know_parallel_rays_only() {
     for (camera, expected) in cameras {
         let view = camera.view(flat.bounds()).unwrap();
         let (run, options) = (Run::default(), CurveOptions::default());
-        let prepared = PreparedSurface::new("flat", &flat, &view, &options, &run).unwrap();
+        let prepared = PreparedSurface::new("flat", &flat, &view, &options, &run)
+            .expect("a surface that can be seen so");
         let found = horizon_columns(&prepared.question(false), 100, &run);
         assert_eq!(found, Err(expected));
     }
