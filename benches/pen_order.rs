@@ -100,6 +100,7 @@ fn whole() -> Outcome<()> {
         hidden: Hidden::Dashed,
         halo: "0.3mm".parse()?,
         weight: Some("0.35..0.1mm".parse()?),
+        junctions: true,
         ..DrawingOptions::default()
     };
     println!("\n| all edges of a torus | seconds |");
@@ -148,7 +149,13 @@ fn separate(count: usize) -> Drawing {
     let style = LineStyle { width: 0.3, color: Color([0; 3]) };
     let layer =
         Layer { number: 1, label: "1-visible".into(), style, strokes, tags: LayerTags::default() };
-    Drawing { size: DVec2::new(420.0, 297.0), scale: 1.0, layers: vec![layer], fills: Vec::new(), painting: Vec::new() }
+    Drawing {
+        size: DVec2::new(420.0, 297.0),
+        scale: 1.0,
+        layers: vec![layer],
+        fills: Vec::new(),
+        painting: Vec::new(),
+    }
 }
 
 /// Numbers from 0 to 1 that are the same in every run.
@@ -231,8 +238,10 @@ fn grid() -> Outcome<()> {
         counters: Counters::default(),
     };
     let start = Instant::now();
-    let mut drawing =
-        Drawing::new(&lines, &DrawingOptions { paper: Paper::A4, ..DrawingOptions::default() })?;
+    let mut drawing = Drawing::new(
+        &lines,
+        &DrawingOptions { paper: Paper::A4, junctions: true, ..DrawingOptions::default() },
+    )?;
     drawing.order(Effort::Best);
     let seconds = start.elapsed().as_secs_f64();
     let trails = drawing.layers[0].strokes.len();

@@ -18,14 +18,16 @@ use umriss::drawing::{
 };
 use umriss::export::{SvgOptions, to_png, to_svg, write_file};
 use umriss::kernel::predicates::Exact;
+use umriss::model::surface::{CurveOptions, Heights, Surface};
 use umriss::model::{
     Camera, Color, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, View, import,
 };
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
-use umriss::view::{ImageRegions, ObjectWish, PreparedView};
+use umriss::view::{ImageRegions, ObjectWish, PreparedSurface, PreparedView};
 use umriss::visibility::{
-    AppelOptions, RegionOptions, appel, image_regions, reduce_with_crossings, visible_regions,
+    AppelOptions, RegionOptions, appel, floating_horizon, image_regions, reduce,
+    reduce_with_crossings, visible_regions,
 };
 
 /// Name, model and flags of every drawing.
@@ -123,6 +125,25 @@ const GALLERY: [(&str, &str, &str); 33] = [
     ),
 ];
 
+/// Name, expression or file of heights, and flags of every surface.
+const SURFACES: [(&str, &str, &str); 3] = [
+    (
+        "surface-waves",
+        "sin(x)*cos(z)",
+        "--x -6..6 --z -6..6 --nx 121 --nz 121 --every 2 --view iso-sw --base -2.5 --style fine.toml",
+    ),
+    (
+        "surface-ridges",
+        "4*exp(-(x^2+z^2)/20)*cos(2*sqrt(x^2+z^2))",
+        "--x -9..9 --z -9..9 --nx 361 --nz 121 --curves z --no-borders --direction 0,1,-0.7 --style fine.toml",
+    ),
+    (
+        "island",
+        "island.png",
+        "--z-scale 0.0007 --every 2 --eye 60,-330,190 --fov 35 --style fine.toml",
+    ),
+];
+
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let wanted: Vec<String> = std::env::args().skip(1).collect();
@@ -131,6 +152,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             let flags = Flags::read(&format!("{flags} --paper a5 --landscape"))?;
             let pieces = draw(root, name, model, &flags)?;
             println!("{name:<16} {pieces:>6} pieces   {}", flags.command(name, model));
+        }
+    }
+    for (name, source, flags) in SURFACES {
+        if wanted.is_empty() || wanted.iter().any(|one| one == name) {
+            let flags = Flags::read(&format!("{flags} --paper a5 --landscape"))?;
+            let pieces = draw_surface(root, name, source, &flags)?;
+            println!("{name:<16} {pieces:>6} pieces   {}", flags.surface_command(name, source));
         }
     }
     if wanted.is_empty() || wanted.iter().any(|one| one == "clip") {
@@ -146,7 +174,7 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     let scene = Scene::new(model.objects, &SceneOptions::default())?;
     let (options, run) = (flags.options()?, Run::default());
     let styles = flags.styles(root)?;
-    let (view, wishes) = (flags.view(&scene.mesh)?, flags.wishes(&scene.mesh)?);
+    let (view, wishes) = (flags.view(scene.mesh.bounds())?, flags.wishes(&scene.mesh)?);
     let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, &run)?;
     let question = prepared.question(flags.get("hidden").is_some());
     let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
@@ -162,6 +190,44 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     let content = Content { lines: &lines, crossings: &crossings, regions: &regions };
     let mut drawing = Drawing::of(&content, &options, &styles, &surfaces)?;
     drawing.order(flags.effort()?);
+    write(root, name, &drawing)?;
+    Ok(lines.pieces.len())
+}
+
+/// Draws one surface; returns the number of its pieces.
+fn draw_surface(
+    root: &Path,
+    name: &str,
+    source: &str,
+    flags: &Flags,
+) -> Result<usize, Box<dyn Error>> {
+    let heights = if source.ends_with(".png") {
+        import::read_heights(&root.join("examples/models").join(source), None)?
+    } else {
+        let steps = |axis, range, count| -> Result<Vec<f64>, Box<dyn Error>> {
+            let text = flags.get(range).ok_or("a range is missing")?;
+            let (from, to) = text.split_once("..").ok_or("expected a range")?;
+            Ok(Heights::steps(axis, [from.parse()?, to.parse()?], flags.parse(count, 100)?)?)
+        };
+        Heights::of_expression(source, steps('x', "x", "nx")?, steps('z', "z", "nz")?)?
+    };
+    let base = flags.get("base").map(str::parse).transpose()?;
+    let surface = Surface::new(heights.scaled(flags.parse("z-scale", 1.0)?)?, base)?;
+    let curves = CurveOptions {
+        constant_x: flags.get("curves").is_none(),
+        borders: flags.get("no-borders").is_none(),
+        every: flags.parse("every", 1)?,
+        ..CurveOptions::default()
+    };
+    let (run, view) = (Run::default(), flags.view(surface.bounds())?);
+    let prepared = PreparedSurface::new(source, &surface, &view, &curves, &run)?;
+    let question = prepared.question(false);
+    let answer = floating_horizon::<Exact>(&question, &run)?;
+    let lines = reduce::<Exact>(&question.lines, &answer, &run)?;
+    let regions = ImageRegions::default();
+    let content = Content { lines: &lines, crossings: &[], regions: &regions };
+    let styles = flags.styles(root)?;
+    let drawing = Drawing::of(&content, &flags.options()?, &styles, &SurfaceOptions::default())?;
     write(root, name, &drawing)?;
     Ok(lines.pieces.len())
 }
@@ -217,7 +283,8 @@ fn draw_clip(root: &Path) -> Result<(), Box<dyn Error>> {
         layer(1, &first, 0.9, Color([150, 90, 20])),
         layer(2, &second, 0.35, Color([20, 60, 140])),
     ];
-    write(root, "clip", &Drawing { size: DVec2::new(150.0, 140.0), scale: 1.0, layers, fills })
+    let size = DVec2::new(150.0, 140.0);
+    write(root, "clip", &Drawing { size, scale: 1.0, layers, fills, painting: Vec::new() })
 }
 
 /// The flags of a command by their names.
@@ -242,6 +309,16 @@ impl Flags {
     fn command(&self, name: &str, model: &str) -> String {
         let words = self.words.replace("--style ", "--style examples/styles/");
         format!("umriss draw examples/models/{model} -o {name}.svg {words}")
+    }
+
+    /// The command that makes the same drawing of a surface.
+    fn surface_command(&self, name: &str, source: &str) -> String {
+        let words = self.words.replace("--style ", "--style examples/styles/");
+        let source = match source.ends_with(".png") {
+            true => format!("examples/models/{source}"),
+            false => format!("'{source}'"),
+        };
+        format!("umriss surface {source} -o {name}.svg {words}")
     }
 
     fn get(&self, name: &str) -> Option<&str> {
@@ -305,7 +382,7 @@ impl Flags {
         Ok(read_styles(&std::fs::read_to_string(root.join("examples/styles").join(file))?)?)
     }
 
-    fn view(&self, mesh: &Mesh) -> Result<View, Box<dyn Error>> {
+    fn view(&self, bounds: (DVec3, DVec3)) -> Result<View, Box<dyn Error>> {
         let up = self.vector("up")?.unwrap_or(DVec3::Z);
         let camera = match (self.vector("eye")?, self.vector("direction")?) {
             (Some(eye), _) => Camera::Perspective {
@@ -321,7 +398,7 @@ impl Flags {
                 Camera::Standard(StandardView::from_name(name).ok_or("no such view")?)
             }
         };
-        Ok(camera.view(mesh.bounds())?)
+        Ok(camera.view(bounds)?)
     }
 
     fn wishes(&self, mesh: &Mesh) -> Result<Vec<ObjectWish>, Box<dyn Error>> {

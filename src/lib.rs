@@ -13,10 +13,11 @@
 //! - [`spatial`]: hierarchies and crossings; they propose, they never decide.
 //! - [`polygon`]: clipping, convexity, membership, triangulation of polygons with holes.
 //! - [`fill`]: fills of polygons, letters and patterns, as pixels.
-//! - [`model`]: files, meshes, scenes, feature edges.
+//! - [`model`]: files, meshes, scenes, feature edges, grids of heights.
 //! - [`view`]: the contract between models, methods and drawings.
 //! - [`visibility`]: the object-space methods (Roberts, Appel; Weiler and
-//!   Atherton for what is seen of each face).
+//!   Atherton for what is seen of each face; Wright's floating horizon for
+//!   surfaces over a grid).
 //! - [`raster`]: the image-space references (ray casting, z-buffer, scan
 //!   lines, Warnock's windows).
 //! - [`drawing`]: pages, layers, dashes, polylines, fills, hatches.

@@ -37,7 +37,7 @@ const PARTS: [(&str, &[&[&str]]); 3] = [
         "visibility",
         &[
             &["ties"],
-            &["appel", "roberts", "weiler_atherton", "painter"],
+            &["appel", "floating_horizon", "painter", "roberts", "weiler_atherton"],
             &["reduce"],
             &["visible_lines"],
         ],
@@ -48,14 +48,24 @@ const PARTS: [(&str, &[&[&str]]); 3] = [
             &["box_tree", "item_buffer"],
             &["samples"],
             // No image-space method knows another.
-            &["ray_cast", "z_buffer", "a_buffer", "scanline", "span_buffer", "warnock", "sheets"],
+            &[
+                "ray_cast",
+                "z_buffer",
+                "a_buffer",
+                "scanline",
+                "span_buffer",
+                "warnock",
+                "sheets",
+                "horizon_columns",
+            ],
             &["methods", "picture"],
         ],
     ),
 ];
 
 /// All that readers of files may know of the room around them.
-const SOUPS: [&str; 7] = ["import", "Color", "Faces", "Placement", "Soup", "Unit", "UpAxis"];
+const SOUPS: [&str; 8] =
+    ["import", "surface", "Color", "Faces", "Placement", "Soup", "Unit", "UpAxis"];
 
 /// The path `path` used in line `line` of the file `file`.
 #[derive(Debug, PartialEq, Eq)]
@@ -133,6 +143,8 @@ fn a_made_up_violation_is_found() {
         ("raster/samples/face.rs", "use crate::raster::methods;\n"),
         ("raster/a_buffer/mod.rs", "use crate::visibility::VisibleLines;\n"),
         ("visibility/reduce/mod.rs", "use crate::raster::Samples;\n"),
+        ("visibility/floating_horizon/walker.rs", "use crate::visibility::appel;\n"),
+        ("raster/horizon_columns.rs", "use crate::visibility::floating_horizon;\n"),
     ];
     for (file, text) in upwards {
         let found: Vec<_> = paths_in(file, text).iter().filter_map(violation).collect();

@@ -85,7 +85,11 @@ struct Border {
 
 /// The part of a piece within the window, if any. Points that are not finite
 /// are left for the placement to refuse.
-pub(super) fn clip(piece: &LinePiece, window: &Window, projection: Projection) -> Option<LinePiece> {
+pub(super) fn clip(
+    piece: &LinePiece,
+    window: &Window,
+    projection: Projection,
+) -> Option<LinePiece> {
     let [start, end] = piece.points;
     if !(start.is_finite() && end.is_finite()) {
         return Some(*piece);

@@ -12,7 +12,8 @@ use super::smoothing::{Smoothing, smooth};
 use super::surfaces::{Light, crop_regions, fills};
 use super::weight::Weights;
 use super::{
-    Dash, DrawingError, DrawingOptions, FilledShape, Join, PaintedShape, Strokes, Styles, SurfaceOptions,
+    Dash, DrawingError, DrawingOptions, FilledShape, Join, PaintedShape, Strokes, Styles,
+    SurfaceOptions,
 };
 use crate::model::Color;
 use crate::run::map_indexed;
@@ -190,7 +191,13 @@ impl Drawing {
         let layers = hatched.into_iter().chain(finished);
         let layers = layers.filter(|layer| !layer.strokes.is_empty()).collect();
         let fills = fills(regions, light, surfaces.fill, place);
-        Ok(Drawing { size: placement.size, scale: placement.scale, layers, fills, painting: Vec::new() })
+        Ok(Drawing {
+            size: placement.size,
+            scale: placement.scale,
+            layers,
+            fills,
+            painting: Vec::new(),
+        })
     }
 
     /// The same drawing with polylines nowhere farther than `flatness`

@@ -149,7 +149,8 @@ fn strokes(
     let mut stroke: Vec<DVec2> = Vec::new();
     for i in pieces.clone() {
         let [start, end] = lines.pieces[i].points.map(|point| placement.apply(point));
-        let goes_on = i != pieces.start && looks[i] == looks[i - 1] && stroke.last() == Some(&start);
+        let goes_on =
+            i != pieces.start && looks[i] == looks[i - 1] && stroke.last() == Some(&start);
         if !goes_on {
             if i != pieces.start {
                 push(&mut found, looks[i - 1], &mut stroke);

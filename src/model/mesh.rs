@@ -121,6 +121,36 @@ impl Mesh {
         Ok(mesh)
     }
 
+    /// Vertices, all of them different, and loose lines between them; one
+    /// object without a face. O(n).
+    ///
+    /// # Errors
+    ///
+    /// If there is no line.
+    pub fn of_lines(
+        name: &str,
+        vertices: Vec<DVec3>,
+        lines: Vec<[u32; 2]>,
+    ) -> Result<Self, MeshError> {
+        if lines.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        let object = Object {
+            name: name.to_owned(),
+            vertices: 0..vertices.len() as u32,
+            triangles: 0..0,
+            faces: 0..0,
+            loose_lines: 0..lines.len() as u32,
+        };
+        Ok(Mesh {
+            vertex_numbers: (0..vertices.len() as u32).collect(),
+            vertices,
+            loose_lines: lines,
+            objects: vec![object],
+            ..Mesh::default()
+        })
+    }
+
     /// Fills in the objects, their loose lines and colours.
     fn add_objects(
         &mut self,

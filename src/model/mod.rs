@@ -1,6 +1,6 @@
 //! Models: what files say ([`Soup`]), the mesh made of it ([`Mesh`]), the
 //! camera, and which edges are lines for it; [`Topology`] says what is wrong
-//! with a mesh.
+//! with a mesh. [`surface`] has grids of heights.
 
 mod adjacency;
 mod camera;
@@ -16,6 +16,7 @@ mod sanity;
 mod scene;
 mod soup;
 mod standard_views;
+pub mod surface;
 mod topology;
 mod view_coordinates;
 mod weld;

@@ -10,6 +10,7 @@
 mod a_buffer;
 mod box_tree;
 mod front_to_back;
+mod horizon_columns;
 mod item_buffer;
 mod methods;
 mod picture;
@@ -29,6 +30,7 @@ pub use a_buffer::{
 };
 pub use box_tree::BoxTree;
 pub use front_to_back::{OrderError, front_to_back};
+pub use horizon_columns::{ColumnPieces, ColumnsError, horizon_columns};
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
 pub use picture::Show;

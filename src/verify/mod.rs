@@ -14,13 +14,15 @@
 //!   are left out and counted.
 //!
 //! The first three are exact: one difference is one defect. [`cross_check()`]
-//! holds the image-space methods against each other, exactly too, and
-//! [`verify_regions`] what is seen of faces against images and lines.
+//! holds the image-space methods against each other, exactly too,
+//! [`verify_regions`] what is seen of faces against images and lines, and
+//! [`verify_painting`] the painter's orders against planes and images.
 
 mod against_image;
 mod against_judge;
 mod cover;
 mod cross_check;
+mod painting;
 mod places;
 mod regions;
 mod report;
@@ -28,6 +30,7 @@ mod report;
 mod tests;
 
 pub use cross_check::{Comparison, CrossCheck, cross_check};
+pub use painting::{PaintReport, PaintTally, PaintVerifyOptions, PainterRow, verify_painting};
 pub use regions::{RegionReport, RegionTally, RegionVerifyOptions, Surplus, verify_regions};
 pub use report::{Check, Difference, DifferenceSegment, Report, Tally};
 

@@ -1,6 +1,7 @@
 //! The contract between models, methods and drawings: what a method is
 //! asked ([`LineQuestion`]) and what it answers ([`ExactLines`], rounded
 //! and reduced to [`VisibleLines`]), [`VisibleRegions`] or a [`PaintOrder`].
+//! The lines of a grid of heights are asked for by a [`SurfaceQuestion`].
 
 mod crossing;
 mod exact_lines;
@@ -9,6 +10,7 @@ mod painting;
 mod prepare;
 mod question;
 mod regions;
+mod surface;
 mod visible_lines;
 mod wishes;
 
@@ -20,5 +22,6 @@ pub use painting::{PaintOrder, PaintedFace, PaintedPiece};
 pub use prepare::PreparedView;
 pub use question::{Contacts, LineQuestion};
 pub use regions::{ImageRegion, ImageRegions, Region, VisibleRegions};
+pub use surface::{PreparedSurface, SurfaceQuestion};
 pub use visible_lines::{LinePiece, LineSource, VisibleLines};
 pub use wishes::ObjectWish;

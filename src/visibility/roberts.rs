@@ -329,7 +329,7 @@ fn lies_on(cut: Cut, end: Point) -> bool {
         (Cut::Silhouette(edge), Point::Piercing(piercing)) => {
             piercing.edge.iter().all(|vertex| edge.contains(vertex))
         }
-        (Cut::Vertex(..) | Cut::Near, _) => false,
+        (Cut::Vertex(..) | Cut::Near | Cut::NearLine(_), _) => false,
     }
 }
 

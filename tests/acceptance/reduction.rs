@@ -3,8 +3,8 @@
 //! The drawing of all lines together is compared with the drawings of each
 //! line alone, on scenes in which most lines lie on others: together they
 //! must cover the same points, a point that any line shows is shown, one
-//! that all lines hide has the fewest sheets of any of them, and no two
-//! pieces overlap.
+//! that all lines hide has the fewest sheets of any of them, no two pieces
+//! overlap, and of equally visible lines of one class the nearest is drawn.
 
 use super::scenes::{Kind, Random, distance, random_camera, random_soups, rounds};
 use glam::DVec2;
@@ -55,7 +55,7 @@ fn samples(piece: &LinePiece, others: &[LinePiece]) -> Vec<DVec2> {
 #[test]
 fn one_line_is_drawn_where_several_coincide() {
     let options = FeatureOptions::default().with_classes(&LineClass::ALL);
-    let mut checked = 0;
+    let (mut checked, mut rivals) = (0, 0);
     for seed in 0..rounds(60) {
         for kind in [Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned] {
             let mut random = Random(seed ^ 0xc01c << 32 ^ (kind as u64) << 56);
@@ -88,9 +88,63 @@ fn one_line_is_drawn_where_several_coincide() {
                 }
             }
             assert_disjoint(&all, &format!("seed {seed} of {kind:?}"));
+            rivals += assert_nearest(&all, &single, &format!("seed {seed} of {kind:?}"));
         }
     }
     assert!(checked as u64 > 10_000, "{checked}");
+    assert!(rivals > 100, "{rivals}");
+}
+
+/// Panics if some other line of the same class, as visible, is nearer where
+/// a piece is drawn. Returns how many points of two lines were compared.
+fn assert_nearest(drawn: &[LinePiece], single: &[LinePiece], what: &str) -> usize {
+    let mut compared = 0;
+    for piece in drawn {
+        let like = |other: &&LinePiece| {
+            (other.class, other.invisibility) == (piece.class, piece.invisibility)
+                && other.source != piece.source
+                && on_one_line(piece, other)
+        };
+        for other in single.iter().filter(like) {
+            let gaps = common_ends(piece, other).map(|point| {
+                // How much nearer the other one is, in space units.
+                depth_at(piece, point) - depth_at(other, point)
+            });
+            // Lines that cross in space take turns at being the nearer one.
+            let crossing = gaps[0] < -NEAR && NEAR < gaps[1] || gaps[1] < -NEAR && NEAR < gaps[0];
+            assert!(crossing || gaps.iter().all(|gap| *gap < NEAR), "{what}: {piece:?} {other:?}");
+            compared += 1;
+        }
+    }
+    compared
+}
+
+/// Whether the images of two pieces have more than a point in common.
+fn on_one_line(piece: &LinePiece, other: &LinePiece) -> bool {
+    let [way, across] = [piece, other].map(|piece| piece.points[1] - piece.points[0]);
+    let beside = (other.points[0] - piece.points[0]).perp_dot(way);
+    let [from, to] = common_ends(piece, other);
+    way.perp_dot(across).abs() < NEAR * way.length() * across.length()
+        && beside.abs() < NEAR * way.length()
+        && 1e-6 < from.distance(to)
+        && (to - from).dot(way) > 0.0
+}
+
+/// Where the common part of two pieces on one line begins and ends, in the
+/// sense of the first.
+fn common_ends(piece: &LinePiece, other: &LinePiece) -> [DVec2; 2] {
+    let [from, to] = piece.points;
+    let way = to - from;
+    let along = |point: &DVec2| (*point - from).dot(way) / way.length_squared();
+    let [a, b] = [0, 1].map(|end| along(&other.points[end]));
+    [a.min(b).max(0.0), a.max(b).min(1.0)].map(|t| from.lerp(to, t))
+}
+
+/// The depth of a piece of a parallel view at a point of its image.
+fn depth_at(piece: &LinePiece, point: DVec2) -> f64 {
+    let way = piece.points[1] - piece.points[0];
+    let t = (point - piece.points[0]).dot(way) / way.length_squared();
+    piece.depth[0] + (piece.depth[1] - piece.depth[0]) * t
 }
 
 /// Panics if two pieces have more than an end in common.

@@ -9,16 +9,17 @@
 use super::scenes::{
     Kind, Random, orthographic, perspective, polygons, random_camera, random_soups, rounds,
 };
-use glam::DVec3;
+use glam::{DVec3, dvec3};
 use umriss::kernel::numbers::{Fraction, Sign};
 use umriss::kernel::predicates::{Chart, Exact, Predicates};
-use umriss::model::{FeatureOptions, LineClass, Mesh, Soup, View};
+use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::polygon::clipping::{Clipper, FillRule, Operand, Operation, Polygon};
 use umriss::run::Run;
 use umriss::verify::{RegionReport, RegionVerifyOptions, verify_regions};
 use umriss::view::PreparedView;
 use umriss::visibility::{
-    AppelOptions, RegionFault, RegionOptions, appel, image_regions, visible_regions,
+    AppelOptions, RegionFault, RegionOptions, appel, image_regions, reduce, region_lines,
+    visible_regions,
 };
 
 fn check(soups: &[Soup], view: &View, fault: Option<RegionFault>) -> Option<RegionReport> {
@@ -157,4 +158,51 @@ fn neither_order_nor_winding_of_faces_matters() {
         faces.iter_mut().step_by(2).for_each(|face| face.reverse());
         assert_eq!(corners(&faces, &view), expected, "seed {seed}");
     }
+}
+
+#[test]
+fn a_line_ends_where_the_near_plane_cuts_another_face() {
+    // A catwalk from behind the eye, and a wall beyond its end that reaches
+    // far up and down: its left side shows above and below.
+    let walk = [
+        dvec3(-0.25, -9.0, 0.0),
+        dvec3(0.25, -9.0, 0.0),
+        dvec3(0.25, 9.0, 0.0),
+        dvec3(-0.25, 9.0, 0.0),
+    ];
+    let wall = [
+        dvec3(1.0, 10.0, -30.0),
+        dvec3(20.0, 10.0, -30.0),
+        dvec3(20.0, 10.0, 5.0),
+        dvec3(1.0, 10.0, 5.0),
+    ];
+    let camera = Camera::Perspective {
+        eye: dvec3(0.0, 0.0, 1.0),
+        target: Some(dvec3(0.0, 1.0, 1.0)),
+        up: DVec3::Z,
+        near: Some(0.5),
+        fov_y_degrees: 60.0,
+    };
+    let mesh = Mesh::new(vec![polygons(&[walk, wall], &[])], None).expect("a mesh");
+    let run = Run::default();
+    let view = camera.view(mesh.bounds()).expect("a view");
+    let prepared = PreparedView::new::<Exact>(&mesh, &view, &FeatureOptions::default(), &run);
+    let prepared = prepared.expect("a view");
+    let question = prepared.question(false);
+    let regions = visible_regions::<Exact>(&question, &RegionOptions::default(), &run);
+    let lines = region_lines::<Exact>(&question, &regions.expect("regions"), &run);
+    let drawn = reduce::<Exact>(&question, &lines.expect("lines"), &run).expect("not cancelled");
+    let mut side: Vec<[f64; 2]> = drawn
+        .pieces
+        .iter()
+        .filter(|piece| piece.points.iter().all(|point| (point.x - 0.1).abs() < 1e-12))
+        .map(|piece| piece.points.map(|point| point.y))
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
+    side.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    // The walk is cut half in front of the eye, one below it.
+    for (found, expected) in side.iter().flatten().zip([-3.1, -2.0, -0.4, 0.4]) {
+        assert!((found - expected).abs() < 1e-12, "{side:?}");
+    }
+    assert_eq!(side.len(), 2);
 }

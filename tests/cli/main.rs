@@ -4,6 +4,7 @@
 
 mod clip;
 mod fixture;
+mod heights;
 mod outlines;
 mod pens;
 mod refusals;

@@ -49,10 +49,7 @@ fn command_lines_that_make_no_sense_end_with_two() {
             "--method painter: lines are drawn face by face, expected no flags for --halo, or \
              --method appel\n",
         ),
-        (
-            "draw cube.obj -o a.svg --painter list",
-            "--painter needs --method painter\n",
-        ),
+        ("draw cube.obj -o a.svg --painter list", "--painter needs --method painter\n"),
         (
             "raster cube.obj -o a.svg --show splits",
             "--show splits: z-buffer cuts no windows, expected --method warnock or warnock-vertex\n",

@@ -94,6 +94,6 @@ fn bars_in_a_cycle_are_cut_and_counted() {
          v 0 1 2\nv 1 0 2\nv 10 9 0\nv 9 10 0\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\n",
     );
     let stats = folder.succeeds("draw bars.obj -o a.svg --view top --method painter --stats");
-    let line = stats.lines().find(|line| line.starts_with("painter-cuts")).unwrap_or_default();
-    assert!(line.trim_end().ends_with(" 1"), "{stats}");
+    let line = stats.errors.lines().find(|line| line.trim().starts_with("painter-cuts"));
+    assert!(line.is_some_and(|line| line.trim_end().ends_with(" 1")), "{}", stats.errors);
 }

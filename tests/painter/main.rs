@@ -19,7 +19,7 @@ use umriss::view::{LineQuestion, PaintOrder, PreparedView};
 use umriss::visibility::{Painter, PainterOptions, paint_order};
 
 /// Asks about a mesh from a camera.
-pub fn with_question<T>(
+pub(crate) fn with_question<T>(
     mesh: &Mesh,
     camera: &Camera,
     ask: impl FnOnce(&LineQuestion<'_>) -> T,
@@ -31,14 +31,15 @@ pub fn with_question<T>(
 }
 
 /// The order by one of the ways, and what was counted.
-pub fn painted(question: &LineQuestion<'_>, painter: Painter) -> (PaintOrder, Counters) {
+pub(crate) fn painted(question: &LineQuestion<'_>, painter: Painter) -> (PaintOrder, Counters) {
     let run = Run::default();
-    let order = paint_order::<Exact>(question, &PainterOptions { painter }, &run).unwrap();
+    let order =
+        paint_order::<Exact>(question, &PainterOptions { painter, fault: None }, &run).unwrap();
     (order, run.counters())
 }
 
 /// A mesh of one object with these faces, each with corners of its own.
-pub fn mesh(faces: &[Vec<[f64; 3]>]) -> Mesh {
+pub(crate) fn mesh(faces: &[Vec<[f64; 3]>]) -> Mesh {
     let mut soup = Soup::default();
     for face in faces {
         let first = soup.vertices.len() as u32;
@@ -50,18 +51,18 @@ pub fn mesh(faces: &[Vec<[f64; 3]>]) -> Mesh {
 }
 
 /// From above, with x to the right and y upwards.
-pub fn above() -> Camera {
+pub(crate) fn above() -> Camera {
     towards([0.0, 0.0, -1.0])
 }
 
 /// Parallel rays along a direction.
-pub fn towards(forward: [f64; 3]) -> Camera {
+pub(crate) fn towards(forward: [f64; 3]) -> Camera {
     let forward = glam::DVec3::from_array(forward);
     let up = if forward.x == 0.0 && forward.z == 0.0 { glam::DVec3::Z } else { glam::DVec3::Y };
     Camera::Orthographic { forward, target: Some(glam::DVec3::ZERO), up }
 }
 
 /// Counts of one name.
-pub fn count(counters: &Counters, name: &str) -> u64 {
+pub(crate) fn count(counters: &Counters, name: &str) -> u64 {
     counters.iter().find(|(other, _)| *other == name).map_or(0, |(_, amount)| amount)
 }

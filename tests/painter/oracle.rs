@@ -104,7 +104,7 @@ fn hit(ray: &Ray, [a, b, c]: [Vector; 3]) -> Hit {
 
 /// The triangle seen at a sample. None if a border is hit there, of which a
 /// picture says nothing.
-pub fn seen(mesh: &Mesh, view: &View, sample: glam::DVec3) -> Option<Option<u32>> {
+pub(crate) fn seen(mesh: &Mesh, view: &View, sample: glam::DVec3) -> Option<Option<u32>> {
     let ray = Ray::new(view, sample);
     let mut best: Option<(u32, [i128; 2])> = None;
     for (triangle, corners) in (0..).zip(mesh.triangles()) {
@@ -126,20 +126,20 @@ pub fn seen(mesh: &Mesh, view: &View, sample: glam::DVec3) -> Option<Option<u32>
 }
 
 /// Asks a painting order what is on top at samples.
-pub struct Topmost {
+pub(crate) struct Topmost {
     points: Points,
     first: u32,
 }
 
 impl Topmost {
-    pub fn new(mesh: &Mesh, view: &View, samples: &[glam::DVec3]) -> Self {
+    pub(crate) fn new(mesh: &Mesh, view: &View, samples: &[glam::DVec3]) -> Self {
         let vertices = [mesh.vertices(), samples].concat();
         let points = Points::new(&vertices, view.eye, view.near);
         Topmost { points, first: mesh.vertices().len() as u32 }
     }
 
     /// The face that is painted last at a sample.
-    pub fn face(&self, order: &PaintOrder, sample: usize) -> Option<u32> {
+    pub(crate) fn face(&self, order: &PaintOrder, sample: usize) -> Option<u32> {
         let predicates = Predicates::<Exact>::new(&self.points);
         let point = PlanePoint::Vertex(self.first + sample as u32);
         let covers = |polygon: &umriss::polygon::PlanePolygon| {

@@ -12,7 +12,7 @@ use umriss::model::Mesh;
 use umriss::view::{LineQuestion, PaintOrder, PaintedPiece};
 
 /// Fails with what is wrong about an order.
-pub fn check(question: &LineQuestion<'_>, order: &PaintOrder) {
+pub(crate) fn check(question: &LineQuestion<'_>, order: &PaintOrder) {
     let predicates = Predicates::<Exact>::new(question.points);
     if !question.points.has_near_plane() {
         check_areas(question, &predicates, order);
@@ -25,7 +25,7 @@ pub fn check(question: &LineQuestion<'_>, order: &PaintOrder) {
 }
 
 /// The order of a scene that is small enough, and its pieces without pairs.
-pub fn check_areas(
+pub(crate) fn check_areas(
     question: &LineQuestion<'_>,
     predicates: &Predicates<'_, Exact>,
     order: &PaintOrder,
@@ -107,7 +107,7 @@ fn check_tie(
 }
 
 /// The tie rule.
-pub fn precedes(mesh: &Mesh, a: u32, b: u32) -> bool {
+pub(crate) fn precedes(mesh: &Mesh, a: u32, b: u32) -> bool {
     let key = |triangle: u32| {
         let at = |vertex: u32| mesh.vertices()[vertex as usize].to_array();
         let mut corners = mesh.triangles()[triangle as usize].map(at);

@@ -169,6 +169,9 @@ fn order_along_an_image_compares_different_depths() {
     assert_eq!(compare((lower, Place::Start), (upper, Place::End)), Ordering::Less);
     let passing = Place::Cut(Cut::Vertex(2, 1));
     assert_eq!(compare((upper, passing), (lower, Place::Start)), Ordering::Equal);
+    assert_eq!(predicates.nearer_than(upper, axis, (lower, Place::Start)), Negative);
+    assert_eq!(predicates.nearer_than(lower, axis, (upper, passing)), Positive);
+    assert_eq!(predicates.nearer_than(upper, axis, (upper, passing)), Zero);
     assert_eq!(predicates.axis_across(Carrier::edge(1, 1)), None);
 }
 

@@ -60,10 +60,17 @@ impl<'p> Bench<'p> {
         Carrier { ends: [self.point(), self.point()] }
     }
 
+    /// Whether faces have a line in the near plane.
+    fn has_near_plane(&self) -> bool {
+        let points = self.exact.points();
+        points.has_near_plane() && points.is_perspective()
+    }
+
     fn cut(&mut self) -> Cut {
         match self.draw.below(8) {
             0 => Cut::Near,
             1 => Cut::Vertex(self.draw.vertex(), self.draw.below(3) as u8),
+            2 if self.has_near_plane() => Cut::NearLine(self.vertices()),
             2..=4 => Cut::Face(self.vertices()),
             _ => Cut::Silhouette(self.vertices()),
         }
@@ -336,6 +343,14 @@ proptest! {
             prop_assert_eq!(order, truth);
             let turned = bench.exact.order_along_image(reference.reversed(), axis, first, second);
             prop_assert_eq!(turned, truth.reverse());
+            if let Some(truth) = bench.truth.nearer([&start, &end], &x) {
+                let nearer = bench.exact.nearer_than(reference, axis, first);
+                prop_assert_eq!(nearer, truth, "{:?} {:?} {}", reference, first, perspective);
+                let nearer = bench.thorough.nearer_than(reference, axis, first);
+                prop_assert_eq!(nearer, truth);
+                let turned = bench.exact.nearer_than(reference.reversed(), axis, first);
+                prop_assert_eq!(turned, truth);
+            }
             Ok(())
         })?;
     }

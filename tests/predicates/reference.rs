@@ -115,6 +115,12 @@ impl Reference {
             Cut::Vertex(vertex, axis) => {
                 bracket([&self.eye, &self.vertex(vertex), &direction(axis), x])
             }
+            Cut::NearLine([a, b, c]) => {
+                let [a, b, c] = [a, b, c].map(|i| self.vertex(i));
+                let face = |x: &Row| bracket([&a, &b, &c, x]);
+                self.functional(Cut::Near, x) * face(&self.eye)
+                    - face(x) * self.functional(Cut::Near, &self.eye)
+            }
             Cut::Near => match &self.near {
                 None => IBig::from(1),
                 Some((forward, offset)) => {
@@ -197,6 +203,30 @@ impl Reference {
             cross(&view, &way)
         };
         dot(&across(reference[0], reference[1]), &across(y, x)).cmp(&IBig::ZERO)
+    }
+
+    /// Whether `y` is nearer to the eye than the point of the line pq that it
+    /// covers: nothing if it covers none in front of the eye.
+    pub(crate) fn nearer(&self, [p, q]: [&Row; 2], y: &Row) -> Option<Sign> {
+        let across = (0..3).map(direction).find(|k| bracket([&self.eye, p, q, k]) != IBig::ZERO)?;
+        // The line's point in the plane of the eye, y and the way across.
+        let [at_p, at_q] = [p, q].map(|end| bracket([&self.eye, y, &across, end]));
+        let mut x = [0, 1, 2, 3].map(|i| &p[i] * &at_q - &q[i] * &at_p);
+        if x[3] < IBig::ZERO {
+            x = x.map(|value| -value);
+        }
+        if x[3] == IBig::ZERO {
+            return None;
+        }
+        if self.eye[3] == IBig::ZERO {
+            let way = [0, 1, 2].map(|i| &y[i] * &x[3] - &x[i] * &y[3]);
+            let eye = [0, 1, 2].map(|i| self.eye[i].clone());
+            return Some(sign(&dot(&way, &eye)));
+        }
+        let (to_x, to_y) = (self.ray(&x), self.ray(y));
+        let product = dot(&to_x, &to_y);
+        let longer = &product * &y[3] - dot(&to_y, &to_y) * &x[3];
+        (IBig::ZERO < product).then(|| sign(&longer))
     }
 }
 

@@ -5,8 +5,9 @@ use umriss::drawing::DrawingError;
 use umriss::export::ExportError;
 use umriss::model::CameraError;
 use umriss::model::import::ImportError;
+use umriss::model::surface::SurfaceError;
 use umriss::run::Cancelled;
-use umriss::visibility::{PainterError, RegionsError};
+use umriss::visibility::{HorizonError, PainterError, RegionsError};
 
 /// The end of a command that did not do what it was asked to do.
 #[derive(Debug)]
@@ -95,7 +96,26 @@ impl From<RegionsError> for Failure {
 
 impl From<PainterError> for Failure {
     fn from(error: PainterError) -> Self {
-        Failure::Failed(error.to_string())
+        match error {
+            PainterError::Cancelled(error) => Failure::from(error),
+            _ => Failure::Failed(error.to_string()),
+        }
+    }
+}
+
+impl From<HorizonError> for Failure {
+    fn from(error: HorizonError) -> Self {
+        match error {
+            HorizonError::Cancelled(error) => Failure::from(error),
+            _ => Failure::Usage(error.to_string()),
+        }
+    }
+}
+
+/// Ranges and expressions are what was wished for.
+impl From<SurfaceError> for Failure {
+    fn from(error: SurfaceError) -> Self {
+        Failure::Usage(error.to_string())
     }
 }
 

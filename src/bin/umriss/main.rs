@@ -1,7 +1,7 @@
 //! The program `umriss`: reads flags, runs the library, writes files.
 //!
 //! One file per command; what commands share stands beside them: flags
-//! ([`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
+//! ([`grid_flags`], [`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
 //! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`], [`surface_flags`]), reading
 //! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
 //! Only the public interface of the library is used, and no geometry is done
@@ -19,6 +19,7 @@ mod draw;
 mod failure;
 #[cfg(feature = "png")]
 mod finish;
+mod grid_flags;
 mod info;
 mod line_flags;
 mod model_flags;
@@ -38,6 +39,7 @@ mod sample_grid;
 mod session;
 mod stroke_flags;
 mod style_flags;
+mod surface;
 mod surface_flags;
 mod verify;
 
@@ -48,7 +50,7 @@ use std::process::ExitCode;
 
 /// Exact hidden-line drawings of 3D models.
 ///
-/// Reads OBJ, STL, PLY, OFF, glTF and JSON polygon scenes; draws SVG, HPGL,
+/// Reads OBJ, STL, PLY, OFF, glTF and JSON polygon scenes, expressions and grids of heights; draws SVG, HPGL,
 /// JSON and PNG. Whether a line is hidden is decided exactly, never by a
 /// tolerance.
 #[derive(Parser)]
@@ -65,6 +67,7 @@ enum Command {
     Info(Box<info::Info>),
     #[cfg(feature = "png")]
     Raster(Box<raster::Raster>),
+    Surface(Box<surface::SurfaceCommand>),
     Verify(Box<verify::Verify>),
 }
 
@@ -76,6 +79,7 @@ fn main() -> ExitCode {
             Command::Info(info) => info.run(),
             #[cfg(feature = "png")]
             Command::Raster(raster) => raster.run(),
+            Command::Surface(surface) => surface.run(),
             Command::Verify(verify) => verify.run(),
         },
         Err(error) if !error.use_stderr() => print_help(&error),

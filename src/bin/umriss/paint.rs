@@ -60,10 +60,11 @@ impl PaintFlags {
         surfaces: &SurfaceOptions,
         run: &Run<'_>,
     ) -> Result<(VisibleLines, Drawing), Failure> {
-        let painter = PainterOptions { painter: self.painter.unwrap_or_default() };
+        let painter = PainterOptions { painter: self.painter.unwrap_or_default(), fault: None };
         let order = paint_order::<Exact>(question, &painter, run)?;
         let count = order.pieces.len() as u64;
-        let (faces, lines) = run.stage("painted-image", count, || painted_image(question, &order))?;
+        let (faces, lines) =
+            run.stage("painted-image", count, || painted_image(question, &order))?;
         let page = || Drawing::painted(&faces, &lines, options, styles, surfaces);
         let drawing = run.stage("page", count, page)?;
         Ok((lines, drawing))
@@ -71,7 +72,6 @@ impl PaintFlags {
 }
 
 fn parse(name: &str) -> Result<Painter, String> {
-    Painter::from_name(name).ok_or_else(|| {
-        format!("expected one of {}", Painter::ALL.map(Painter::name).join(", "))
-    })
+    Painter::from_name(name)
+        .ok_or_else(|| format!("expected one of {}", Painter::ALL.map(Painter::name).join(", ")))
 }

@@ -13,11 +13,11 @@ use std::path::PathBuf;
 use umriss::kernel::predicates::Exact;
 use umriss::run::Run;
 use umriss::verify::{
-    CrossCheck, RegionReport, RegionVerifyOptions, Report, VerifyOptions, cross_check, verify,
-    verify_regions,
+    CrossCheck, PaintReport, PaintVerifyOptions, RegionReport, RegionVerifyOptions, Report,
+    VerifyOptions, cross_check, verify, verify_painting, verify_regions,
 };
 use umriss::view::PreparedView;
-use umriss::visibility::{AppelOptions, Fault, RegionFault, appel};
+use umriss::visibility::{AppelOptions, Fault, PainterFault, RegionFault, appel};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -30,7 +30,9 @@ Examples:
 /// Every piece is counted afresh, compared with Roberts' method and looked
 /// for in an image; with --all every image-space method is compared with
 /// every other. Up to --regions triangles, what is seen of each face is found
-/// too: compared with the images of all faces, with rays, and with the lines.
+/// too: compared with the images of all faces, with rays, and with the lines;
+/// and up to --painting triangles faces are brought into the painter's order,
+/// each way, which is compared pair by pair, by areas, and with rays.
 /// Exit code 1 if an exact check differs; the image is none.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -52,6 +54,9 @@ pub(crate) struct Verify {
     /// Check what is seen of each face up to this many triangles
     #[arg(long, value_name = "N", default_value_t = RegionVerifyOptions::default().up_to)]
     regions: usize,
+    /// Check the painter's order of faces up to this many triangles
+    #[arg(long, value_name = "N", default_value_t = PaintVerifyOptions::default().up_to)]
+    painting: usize,
     /// Make a mistake on purpose, to see that it is found
     #[arg(long = "break", value_name = "NAME", hide = true, value_parser = parse_mistake)]
     mistake: Option<Mistake>,
@@ -70,12 +75,14 @@ pub(crate) struct Verify {
 enum Mistake {
     Lines(Fault),
     Regions(RegionFault),
+    Painting(PainterFault),
 }
 
 /// Everything that was found.
 struct Reports {
     lines: Report,
     regions: RegionReport,
+    painting: PaintReport,
     images: Option<CrossCheck>,
 }
 
@@ -83,6 +90,7 @@ impl Reports {
     fn is_clean(&self) -> bool {
         self.lines.is_clean()
             && self.regions.is_clean()
+            && self.painting.is_clean()
             && self.images.as_ref().is_none_or(CrossCheck::is_clean)
     }
 }
@@ -91,7 +99,7 @@ impl Verify {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let reports = self.session.run(|run| self.verify(run))?;
-        let mut text = format!("{}{}", reports.lines, reports.regions);
+        let mut text = format!("{}{}{}", reports.lines, reports.regions, reports.painting);
         if let Some(check) = &reports.images {
             text = format!("{text}{check}");
         }
@@ -109,16 +117,24 @@ impl Verify {
         let options = self.lines.options();
         let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
         let question = prepared.question(true);
-        let (lines_fault, regions_fault) = match self.mistake {
-            Some(Mistake::Lines(fault)) => (Some(fault), None),
-            Some(Mistake::Regions(fault)) => (None, Some(fault)),
-            None => (None, None),
+        let fault = match self.mistake {
+            Some(Mistake::Lines(fault)) => Some(fault),
+            _ => None,
         };
-        let answer = appel::<Exact>(&question, &AppelOptions { fault: lines_fault }, run)?;
+        let answer = appel::<Exact>(&question, &AppelOptions { fault }, run)?;
         let lines = verify::<Exact>(&view, &question, &answer, &VerifyOptions::default(), run)?;
-        let options =
-            RegionVerifyOptions { up_to: self.regions, fault: regions_fault, ..Default::default() };
+        let fault = match self.mistake {
+            Some(Mistake::Regions(fault)) => Some(fault),
+            _ => None,
+        };
+        let options = RegionVerifyOptions { up_to: self.regions, fault, ..Default::default() };
         let regions = verify_regions::<Exact>(&view, &question, &answer, &options, run)?;
+        let fault = match self.mistake {
+            Some(Mistake::Painting(fault)) => Some(fault),
+            _ => None,
+        };
+        let options = PaintVerifyOptions { up_to: self.painting, fault, ..Default::default() };
+        let painting = verify_painting::<Exact>(&view, &question, &options, run)?;
         let images = match self.all {
             true => {
                 let samples = samples(&question, self.size)?;
@@ -135,18 +151,21 @@ impl Verify {
             let picture = crate::picture::picture(drawn, segments, scene.unit)?;
             umriss::export::write_file(file, &picture)?;
         }
-        Ok(Reports { lines, regions, images })
+        Ok(Reports { lines, regions, painting, images })
     }
 }
 
 fn parse_mistake(name: &str) -> Result<Mistake, String> {
-    let forget = RegionFault::ForgetOccluder;
+    let (forget, depth) = (RegionFault::ForgetOccluder, PainterFault::DepthOnly);
     if name == forget.name() {
         return Ok(Mistake::Regions(forget));
+    }
+    if name == depth.name() {
+        return Ok(Mistake::Painting(depth));
     }
     let fault = Fault::ALL.into_iter().find(|fault| fault.name() == name);
     fault.map(Mistake::Lines).ok_or_else(|| {
         let names = Fault::ALL.map(Fault::name);
-        format!("expected one of {}, {}", names.join(", "), forget.name())
+        format!("expected one of {}, {}, {}", names.join(", "), forget.name(), depth.name())
     })
 }

@@ -19,7 +19,13 @@ fn drawing(strokes: &[Vec<DVec2>]) -> Drawing {
         strokes: all,
         tags: LayerTags::default(),
     };
-    Drawing { size: DVec2::new(200.0, 100.0), scale: 1.0, layers: vec![layer], fills: Vec::new(), painting: Vec::new() }
+    Drawing {
+        size: DVec2::new(200.0, 100.0),
+        scale: 1.0,
+        layers: vec![layer],
+        fills: Vec::new(),
+        painting: Vec::new(),
+    }
 }
 
 fn ordered(strokes: &[Vec<DVec2>], effort: Effort) -> Strokes {

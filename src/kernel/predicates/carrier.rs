@@ -71,6 +71,9 @@ pub enum Cut {
     Vertex(u32, u8),
     /// The near plane.
     Near,
+    /// The plane of the eye and the line where the near plane cuts the plane
+    /// of a face: the carrier passes the image of that line.
+    NearLine([u32; 3]),
 }
 
 /// A point of a carrier: an end or a cut.

@@ -25,6 +25,8 @@ pub enum Predicate {
     Order,
     /// Two places along coincident images.
     AlongImage,
+    /// A place before or behind a line with the same image.
+    Depth,
     /// Two lines in space.
     Skew,
     /// A vertex beside a carrier's image.
@@ -47,11 +49,13 @@ pub enum Predicate {
     Above,
     /// Which of two such points is deeper.
     Deeper,
+    /// Which of two vertices is further to the left.
+    Column,
 }
 
 impl Predicate {
     /// How many there are.
-    pub const COUNT: usize = 16;
+    pub const COUNT: usize = 18;
 
     /// Names of the counters of filter failures and of decisions that
     /// needed big integers.
@@ -61,6 +65,7 @@ impl Predicate {
         ["filter-failures-value", "big-integers-value"],
         ["filter-failures-order", "big-integers-order"],
         ["filter-failures-along-image", "big-integers-along-image"],
+        ["filter-failures-depth", "big-integers-depth"],
         ["filter-failures-skew", "big-integers-skew"],
         ["filter-failures-image-side", "big-integers-image-side"],
         ["filter-failures-fold", "big-integers-fold"],
@@ -72,6 +77,7 @@ impl Predicate {
         ["filter-failures-sweep", "big-integers-sweep"],
         ["filter-failures-above", "big-integers-above"],
         ["filter-failures-deeper", "big-integers-deeper"],
+        ["filter-failures-column", "big-integers-column"],
     ];
 }
 
@@ -131,6 +137,17 @@ fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
     determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
 }
 
+/// `[p, q, k, r]` with the axis direction `k` at infinity.
+fn axis_plane<R: Ring>(points: &Points, [p, q]: [u32; 2], axis: u8, r: u32) -> R {
+    let pivot = points.vertex::<R>(r);
+    let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
+    determinant3(
+        difference(points.vertex(p), &pivot),
+        difference(points.vertex(q), &pivot),
+        direction,
+    )
+}
+
 /// The value of the linear functional `f` at `point`, times the positive
 /// weight of the point.
 #[inline(always)]
@@ -168,7 +185,29 @@ fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
         Cut::Silhouette([a, b]) => side(points, a, b, x),
         Cut::Vertex(vertex, axis) => axis_side(points, vertex, axis, x),
         Cut::Near => near_at_vertex(points, x),
+        Cut::NearLine(face) => near_line_at_vertex(points, face, x),
     }
+}
+
+/// The degree of a cut's functional at a vertex.
+#[inline(always)]
+fn cut_degree(cut: Cut) -> u32 {
+    match cut {
+        Cut::Face(_) | Cut::Silhouette(_) | Cut::Vertex(..) | Cut::Near => 3,
+        Cut::NearLine(_) => 6,
+    }
+}
+
+/// `n(x) f(E) - f(x) n(E)` for the functionals of the near plane and a face:
+/// a plane through their common line, and zero at the eye.
+#[inline(never)]
+fn near_line_at_vertex<R: Ring>(points: &Points, [a, b, c]: [u32; 3], x: u32) -> R {
+    let Some((_, offset)) = points.near::<R>() else {
+        return R::read(1.0, 0);
+    };
+    // [a, b, c, E] = -[E, a, b, c], and n(E) is minus the offset.
+    orientation::<R>(points, a, b, c, x) * offset
+        - near_at_vertex::<R>(points, x) * side::<R>(points, a, b, c)
 }
 
 /// `forward . (x - eye) - offset`; positive in front of the near plane.
@@ -256,7 +295,7 @@ impl Formula for Value {
 
     #[inline(always)]
     fn degree(&self) -> u32 {
-        3 + weight_degree(self.1)
+        cut_degree(self.0) + weight_degree(self.1)
     }
 
     #[inline(always)]
@@ -279,6 +318,32 @@ impl Formula for ImageSide {
         let [start, end] = self.0.ends;
         at_point(points, self.1, &|x| {
             at_point(points, start, &|p| at_point(points, end, &|q| side(points, p, q, x)))
+        })
+    }
+}
+
+/// `[start, end, k, x]` of a carrier, an axis direction `k` and a place in
+/// the plane of the carrier and the eye: on which side of the carrier's line
+/// the place lies in that plane, up to the sense of the line.
+pub(super) struct Depth {
+    pub(super) carrier: Carrier,
+    pub(super) place: Located,
+    pub(super) axis: u8,
+}
+
+impl Formula for Depth {
+    const PREDICATE: Predicate = Predicate::Depth;
+
+    fn degree(&self) -> u32 {
+        3 + self.carrier.ends.map(weight_degree).iter().sum::<u32>() + self.place.degree()
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let [start, end] = self.carrier.ends;
+        self.place.apply(points, &|x| {
+            apply(points, start, &|p| {
+                apply(points, end, &|q| axis_plane(points, [p, q], self.axis, x))
+            })
         })
     }
 }
@@ -345,7 +410,8 @@ impl Formula for Order {
     const PREDICATE: Predicate = Predicate::Order;
 
     fn degree(&self) -> u32 {
-        6 + self.carrier.ends.map(weight_degree).iter().sum::<u32>()
+        let weights = self.carrier.ends.map(weight_degree).iter().sum::<u32>();
+        cut_degree(self.first) + cut_degree(self.second) + weights
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
@@ -369,7 +435,7 @@ impl Formula for Combination {
     const PREDICATE: Predicate = Predicate::Combination;
 
     fn degree(&self) -> u32 {
-        3 + self.carrier.ends.map(weight_degree).iter().sum::<u32>()
+        cut_degree(self.cut) + self.carrier.ends.map(weight_degree).iter().sum::<u32>()
     }
 
     fn bits(&self, spread: u32) -> u32 {
@@ -401,7 +467,7 @@ impl Formula for Between {
 
     fn degree(&self) -> u32 {
         let [first, second] = self.places.map(|located| located.degree());
-        3 + first.max(second)
+        cut_degree(self.cut) + first.max(second)
     }
 
     fn bits(&self, spread: u32) -> u32 {
@@ -433,7 +499,7 @@ impl Located {
         match self.place {
             Place::Start => start,
             Place::End => end,
-            Place::Cut(_) => 3 + start + end,
+            Place::Cut(cut) => cut_degree(cut) + start + end,
         }
     }
 

@@ -1,7 +1,7 @@
 //! The ladder of number types, and the policies that climb it.
 
 use super::formula::{
-    AlongImage, Between, Combination, ImageSide, Located, Order, Orientation, Side, Skew,
+    AlongImage, Between, Combination, Depth, ImageSide, Located, Order, Orientation, Side, Skew,
     SkewCarriers, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
@@ -307,6 +307,18 @@ impl<'p, P: Policy> Predicates<'p, P> {
         let compare = |first, second| self.decide(&AlongImage { first, second, axis });
         let sense = compare(locate((reference, Place::Start)), locate((reference, Place::End)));
         (-(compare(locate(first), locate(second)) * sense)).into()
+    }
+
+    /// Whether a place on a carrier, whose image lies on that of `line`, is
+    /// nearer to the eye than the point of `line` that it covers: positive if
+    /// it is, zero if it is that very point. The images run across `axis`:
+    /// see [`Self::axis_across`].
+    pub fn nearer_than(&self, line: Carrier, axis: u8, (other, place): (Carrier, Place)) -> Sign {
+        let located = |place| Located { carrier: line, place, positive_start: true };
+        let (first, second) = (located(Place::Start), located(Place::End));
+        let behind = self.decide(&AlongImage { first, second, axis });
+        let place = self.locate(other, place);
+        -(self.decide(&Depth { carrier: line, place, axis }) * behind)
     }
 
     /// A place with the sign that makes its weight positive.

@@ -27,6 +27,7 @@
 mod carrier;
 mod chart;
 mod collinear;
+mod column;
 mod estimate;
 mod eye;
 mod fold;

@@ -16,11 +16,15 @@
 //! | OFF | own | face colours |
 //! | JSON polygon scene | serde_json (`json`) | holes, colours, objects |
 //! | glTF 2.0, GLB | gltf for the document (`gltf`), own accessors | lines |
+//!
+//! Grids of heights, which become surfaces, have readers of their own:
+//! [`read_heights`].
 
 mod error;
 mod format;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod heights;
 #[cfg(any(feature = "json", feature = "gltf"))]
 mod json_places;
 mod json_scan;
@@ -39,6 +43,7 @@ use std::path::Path;
 
 pub use error::ImportError;
 pub use format::Format;
+pub use heights::{HeightFormat, read_heights, read_heights_bytes};
 
 use super::{Placement, Soup, Unit, UpAxis};
 use error::{Fault, Read};

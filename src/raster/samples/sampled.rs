@@ -60,6 +60,20 @@ impl<'a> Sampled<'a> {
         (corners, self.question.facing[triangle as usize])
     }
 
+    /// The face of a triangle.
+    pub fn face_of(&self, triangle: u32) -> u32 {
+        self.question.mesh.face_of(triangle)
+    }
+
+    /// First and last column and row of all samples that may see one of some
+    /// triangles, given by their corners. Rounded outward.
+    pub fn reach(&self, triangles: impl Iterator<Item = [u32; 3]>) -> Option<[[u32; 2]; 2]> {
+        let both = |[a, b]: [u32; 2], [c, d]: [u32; 2]| [a.min(c), b.max(d)];
+        let all = triangles.filter_map(|corners| self.footprint(corners));
+        let boxes = all.map(|found| [found.columns, found.rows]);
+        boxes.reduce(|[columns, rows], [more, other]| [both(columns, more), both(rows, other)])
+    }
+
     /// Samples around the image of a triangle, see [`Samples::footprint`].
     pub(in crate::raster) fn footprint(&self, corners: [u32; 3]) -> Option<Footprint> {
         self.samples.footprint(self.question.coordinates, corners)

@@ -286,7 +286,7 @@ impl<'q, P: Policy> Walker<'q, P> {
             let spanned = match cut {
                 Cut::Face(corners) => corners.contains(&vertex),
                 Cut::Silhouette(ends) => ends.contains(&vertex),
-                Cut::Vertex(..) | Cut::Near => false,
+                Cut::Vertex(..) | Cut::Near | Cut::NearLine(_) => false,
             };
             if spanned {
                 return Sign::Zero;

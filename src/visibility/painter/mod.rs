@@ -64,7 +64,7 @@ mod tree;
 pub use image::painted_image;
 pub use tree::PaintTree;
 
-use crate::kernel::predicates::Policy;
+use crate::kernel::predicates::{Policy, Predicates};
 use crate::run::{Cancelled, Run};
 use crate::view::{LineQuestion, PaintOrder};
 use faces::faces;
@@ -100,11 +100,30 @@ impl Painter {
     }
 }
 
+/// A deliberate mistake, to prove that a check can fail. Never set outside
+/// of tests of the tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PainterFault {
+    /// The order is that of depths, as in painters that know no planes.
+    DepthOnly,
+}
+
+impl PainterFault {
+    /// The name of the fault on a command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            PainterFault::DepthOnly => "depth-only",
+        }
+    }
+}
+
 /// How to run [`paint_order`].
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct PainterOptions {
     /// How the order is found.
     pub painter: Painter,
+    /// A mistake to make.
+    pub fault: Option<PainterFault>,
 }
 
 /// Why there is no order.
@@ -134,7 +153,7 @@ pub fn paint_order<P: Policy>(
     run: &Run<'_>,
 ) -> Result<PaintOrder, PainterError> {
     check_view(question)?;
-    if options.painter == Painter::Tree {
+    if options.painter == Painter::Tree && options.fault.is_none() {
         return PaintTree::new::<P>(question, run)?.order::<P>(question, run);
     }
     let count = question.mesh.triangles().len() as u64;
@@ -143,6 +162,7 @@ pub fn paint_order<P: Policy>(
     let sheets = run.stage("sheets", count, || sheets::sheets::<P>(question, &faces, run))?;
     run.check()?;
     let order = match options.painter {
+        _ if options.fault.is_some() => by_depth::<P>(question, sheets),
         Painter::Graph => graph::order::<P>(question, &faces, sheets, run)?,
         _ => list::order::<P>(question, sheets, run)?,
     };
@@ -154,6 +174,15 @@ pub fn paint_order<P: Policy>(
         face.painted(question, sheet.polygon)
     });
     Ok(PaintOrder { pieces: pieces.collect(), cuts })
+}
+
+/// The mistake of [`PainterFault::DepthOnly`].
+fn by_depth<P: Policy>(question: &LineQuestion<'_>, sheets: Vec<sheets::Sheet>) -> Ordered {
+    let predicates = Predicates::<P>::new(question.points);
+    let mut numbers: Vec<u32> = (0..sheets.len() as u32).collect();
+    numbers.sort_unstable_by(|&a, &b| order::farthest_first(&predicates, &sheets, a, b));
+    let sorted = numbers.into_iter().map(|number| sheets[number as usize].clone());
+    Ordered { sheets: sorted.collect(), cuts: 0 }
 }
 
 /// A perspective has an image only in front of something.

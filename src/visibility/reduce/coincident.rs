@@ -4,6 +4,12 @@
 //! it, and between two neighbouring ends the best piece there is drawn.
 //! Rounded coordinates only order ends that are clearly apart.
 //!
+//! Of lines of one class the nearest is drawn, for it is the one that other
+//! lines pass behind. Two segments with one image lie in a plane with the
+//! eye; the ends of their common stretch, each the end of one of them, are
+//! held against the other one's line in that plane. If each is nearer at one
+//! end, the segments cross in space, and their coordinates decide.
+//!
 //! What becomes of visible pieces does not depend on whether hidden ones are
 //! there too: they come out in the order of their lines and along these, and
 //! their ends are rounded as those of visible pieces. So a drawing whose
@@ -12,8 +18,9 @@
 use super::groups::groups_of;
 use super::line_piece;
 use super::rounded::RoundedPiece;
+use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
-use crate::model::LineOrigin;
+use crate::model::{LineClass, LineOrigin};
 use crate::run::{Run, concat_map, map_chunks, map_indexed, sort_by};
 use crate::view::{LinePiece, LineQuestion};
 use glam::DVec2;
@@ -176,11 +183,15 @@ struct ImageLine<'a, P: Policy> {
     /// Roughly along the reference in the image.
     direction: DVec2,
     pieces: Vec<RoundedPiece>,
-    /// Best first.
+    /// Best first, but for depth.
     rank: Vec<u32>,
     stops: Vec<Stop>,
+    /// For each piece its ends, in their order along the reference.
+    ends: Vec<[Stop; 2]>,
     /// For each piece whether it runs against the reference.
     against: Vec<bool>,
+    /// For each piece its class.
+    classes: Vec<LineClass>,
     perspective: bool,
 }
 
@@ -204,7 +215,9 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             direction: to - from,
             rank: ranks(question, &pieces),
             stops: Vec::with_capacity(2 * pieces.len()),
+            ends: Vec::with_capacity(pieces.len()),
             against: Vec::with_capacity(pieces.len()),
+            classes: pieces.iter().map(|piece| class_of(question, piece)).collect(),
             perspective: question.points.is_perspective(),
             pieces,
         };
@@ -232,6 +245,10 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         }
         self.against.push(stops[1].begins);
         self.stops.extend(stops);
+        if stops[1].begins {
+            stops.reverse();
+        }
+        self.ends.push(stops);
     }
 
     /// Orders two stops along the reference.
@@ -277,7 +294,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
                 }
             }
             // What is an outline to any of the lines is one.
-            let best = active.first().map(|&(_, piece)| (piece, outlines > 0));
+            let best = self.best(&active).map(|piece| (piece, outlines > 0));
             if best != drawn.map(|(piece, _)| piece) {
                 if let Some(((piece, outline), from)) = drawn {
                     let stretch = self.stretch(piece, &from, &self.stop_of(piece, group), run);
@@ -295,6 +312,36 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             }
         }
         result
+    }
+
+    /// The piece that is drawn where several lie on one another: the nearest
+    /// of those that are equally visible and of one class.
+    fn best(&self, active: &BTreeSet<(u32, u32)>) -> Option<u32> {
+        let mut pieces = active.iter().map(|&(_, piece)| piece);
+        let first = pieces.next()?;
+        let tier =
+            |piece: u32| (self.pieces[piece as usize].invisibility, self.classes[piece as usize]);
+        let rivals = pieces.take_while(|&piece| tier(piece) == tier(first));
+        Some(rivals.fold(first, |best, piece| if self.hides(piece, best) { piece } else { best }))
+    }
+
+    /// Whether one piece is nearer than another wherever they lie on one
+    /// another.
+    fn hides(&self, piece: u32, other: u32) -> bool {
+        let [x, y] = [piece, other].map(|piece| &self.ends[piece as usize]);
+        let nearer = |stop: &Stop, line: Carrier| {
+            self.predicates.nearer_than(line, self.axis, (stop.carrier, stop.place))
+        };
+        // The stretch begins with the later begin and ends with the earlier end.
+        let signs = [Ordering::Less, Ordering::Greater].into_iter().zip(x.iter().zip(y));
+        let mut signs = signs.map(|(outside, (x, y))| {
+            if self.compare(x, y) == outside { -nearer(y, x.carrier) } else { nearer(x, y.carrier) }
+        });
+        let first = signs.next().unwrap_or(Sign::Zero);
+        first != Sign::Negative && {
+            let last = signs.next().unwrap_or(Sign::Zero);
+            last != Sign::Negative && first.or(last) == Sign::Positive
+        }
     }
 
     /// The stop where a piece ends that stands for all stops of one place.
@@ -354,17 +401,21 @@ fn representative(group: &[Stop], hidden: bool) -> Stop {
     group.iter().filter(|stop| hidden || !stop.hidden).min_by(order).copied().unwrap_or(group[0])
 }
 
-/// The rank of each piece: which one is drawn where several coincide. Ties
+fn class_of(question: &LineQuestion<'_>, piece: &RoundedPiece) -> LineClass {
+    question.lines[piece.line as usize].class
+}
+
+/// The rank of each piece: which one is drawn where several coincide and
+/// none of them is nearer. Ties
 /// are broken by what does not depend on the order of faces and vertices, as
 /// far as the drawing shows it.
 fn ranks(question: &LineQuestion<'_>, pieces: &[RoundedPiece]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..pieces.len() as u32).collect();
     order.sort_by(|&a, &b| {
         let (x, y) = (&pieces[a as usize], &pieces[b as usize]);
-        let class = |piece: &RoundedPiece| question.lines[piece.line as usize].class;
         x.invisibility
             .cmp(&y.invisibility)
-            .then(class(x).cmp(&class(y)))
+            .then(class_of(question, x).cmp(&class_of(question, y)))
             .then_with(|| compare_sources(question, x.line, y.line))
             .then(x.line.cmp(&y.line))
     });

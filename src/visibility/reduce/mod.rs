@@ -3,7 +3,7 @@
 //!
 //! Where images of several lines lie on one another, the drawing contains
 //! that stretch once: visible wins over hidden, fewer sheets over more, then
-//! the class of higher precedence, then the line with the least coordinates.
+//! the class of higher precedence, then the nearer line.
 //! Overlaps are cut exactly. Pieces that follow one another on one image
 //! line without a gap get the same run, so that a drawing can join them
 //! into one stroke without asking whether rounded points are collinear.

@@ -104,7 +104,7 @@ impl<'a> BruteForce<'a> {
             Cut::Face(face) => self.plane(face, x),
             Cut::Silhouette([a, b]) => det4(self.eye, self.vertex(a), self.vertex(b), x),
             Cut::Near => self.in_front(x),
-            Cut::Vertex(..) => unreachable!("no method cuts at vertices"),
+            Cut::Vertex(..) | Cut::NearLine(_) => unreachable!("borders of regions only"),
         }
     }
 

@@ -9,8 +9,11 @@
 //!
 //! Corners of regions are crossings of image lines; places on a line are
 //! cuts of planes in space. Each image line is the trace of such a plane: of
-//! an edge and the eye, of the other face where two planes cross, or the near
-//! plane itself.
+//! an edge and the eye, of the other face where two planes cross, of the eye
+//! and what the near plane cuts from another face, or the near plane itself.
+//! A corner can be named by other lines than those that make it one, where
+//! more than two pass through it; the line that the border turns into is one
+//! that does, so that is asked too.
 
 use super::RegionsError;
 use crate::kernel::numbers::Sign;
@@ -33,8 +36,8 @@ const PART: usize = 128;
 ///
 /// # Errors
 ///
-/// If the run is cancelled, or a border lies where no line is: at the cut of
-/// another face with the near plane.
+/// If the run is cancelled; if the view is a perspective one without a near
+/// plane.
 pub fn region_lines<P: Policy>(
     question: &LineQuestion<'_>,
     regions: &VisibleRegions,
@@ -188,40 +191,50 @@ impl<P: Policy> Worker<'_, '_, P> {
     ) -> Result<(), RegionsError> {
         let (predicates, chart) = (self.predicates, self.chart);
         let reversed = line.image.reversed();
+        let is_on = |other: ImageLine, point: ImagePoint| {
+            other == line.image
+                || other == reversed
+                || (predicates.bend(chart, line.image, other).is_zero()
+                    && predicates.beside(chart, line.image, point).is_zero())
+        };
         for ring in &polygon.rings {
+            let at = |i: usize| &ring[i % ring.len()];
             for (i, corner) in ring.iter().enumerate() {
-                let is_on = corner.line == line.image
-                    || corner.line == reversed
-                    || (predicates.bend(chart, line.image, corner.line).is_zero()
-                        && predicates.beside(chart, line.image, corner.point).is_zero());
-                if !is_on {
+                if !is_on(corner.line, corner.point) {
                     continue;
                 }
-                let next = ring[(i + 1) % ring.len()].point;
                 let before = |a, b| {
                     let order = predicates.sweep(chart, a, b);
                     if line.forward { order } else { order.reverse() }
                 };
-                let [mut low, mut high] = [corner.point, next];
-                if before(high, low).is_lt() {
+                let mut low = (corner.point, at(i + ring.len() - 1).line);
+                let mut high = (at(i + 1).point, at(i + 1).line);
+                if before(high.0, low.0).is_lt() {
                     std::mem::swap(&mut low, &mut high);
                 }
-                if let Some(start) = line.ends[0].filter(|start| before(low, *start).is_lt()) {
-                    low = start;
+                if let Some(start) = line.ends[0].filter(|start| before(low.0, *start).is_lt()) {
+                    low.0 = start;
                 }
-                if let Some(end) = line.ends[1].filter(|end| before(*end, high).is_lt()) {
-                    high = end;
+                if let Some(end) = line.ends[1].filter(|end| before(*end, high.0).is_lt()) {
+                    high.0 = end;
                 }
-                if before(low, high).is_lt() {
-                    spans.push([self.place(line, low)?, self.place(line, high)?]);
+                if before(low.0, high.0).is_lt() {
+                    let [from, to] = [low, high].map(|(point, turn)| self.place(line, point, turn));
+                    spans.push([from?, to?]);
                 }
             }
         }
         Ok(())
     }
 
-    /// The place on a line whose image is a point on its image.
-    fn place(&self, line: &Line, point: ImagePoint) -> Result<Place, RegionsError> {
+    /// The place on a line whose image is a point on its image, where a
+    /// border turns into the line `turn`.
+    fn place(
+        &self,
+        line: &Line,
+        point: ImagePoint,
+        turn: ImageLine,
+    ) -> Result<Place, RegionsError> {
         let is_at = |end: Option<ImagePoint>| {
             end.is_some_and(|end| self.predicates.sweep(self.chart, end, point).is_eq())
         };
@@ -235,11 +248,11 @@ impl<P: Policy> Worker<'_, '_, P> {
             ImagePoint::Vertex(vertex) => {
                 self.predicates.axis_across(line.carrier).map(|axis| Cut::Vertex(vertex, axis))
             }
-            ImagePoint::Crossing(lines) => {
-                lines.into_iter().find_map(|other| self.cut(line, other))
+            ImagePoint::Crossing([a, b]) => {
+                [a, b, turn].into_iter().find_map(|other| self.cut(line, other))
             }
         };
-        cut.map(Place::Cut).ok_or(RegionsError::NearCut)
+        cut.map(Place::Cut).ok_or(RegionsError::Corner)
     }
 
     /// The plane whose trace in the image is a line that crosses this one.
@@ -258,7 +271,8 @@ impl<P: Policy> Worker<'_, '_, P> {
             ImageLine::Planes([f, g]) if holds(f) => Some(Cut::Face(g)),
             ImageLine::Planes([f, g]) if holds(g) => Some(Cut::Face(f)),
             ImageLine::Near(face) if holds(face) => Some(Cut::Near),
-            _ => None,
+            ImageLine::Near(face) => Some(Cut::NearLine(face)),
+            ImageLine::Planes(_) => None,
         }
     }
 

@@ -71,12 +71,10 @@ pub enum RegionsError {
     /// The eye is a point and nothing says what lies in front of it.
     #[error("regions of a perspective view need a near plane")]
     NoNearPlane,
-    /// A border of a region lies where another face is cut by the near
-    /// plane, and no line of the model is there.
-    #[error(
-        "a face reaches through the near plane: expected a nearer one (--near), or --method appel"
-    )]
-    NearCut,
+    /// A border ends at a corner whose lines say nothing of the place: not
+    /// expected of any scene.
+    #[error("a border of a region ends at no line: please report it, and take --method appel")]
+    Corner,
 }
 
 /// A deliberate mistake, to prove that a check can fail. Never set outside

@@ -1,0 +1,207 @@
+//! Flags that say what a surface is and which of its lines are drawn.
+
+use crate::failure::Failure;
+use crate::model_flags::UnitName;
+use crate::session::RunFlags;
+use clap::{Args, ValueEnum};
+use std::io::{Read, stdin};
+use std::path::Path;
+use umriss::model::import::{HeightFormat, read_heights, read_heights_bytes};
+use umriss::model::surface::{CurveOptions, Heights, Surface, SurfaceError};
+
+/// Points along an axis, unless a number is given.
+const POINTS: usize = 100;
+
+/// The range of an axis, unless another is given.
+const RANGE: [f64; 2] = [-5.0, 5.0];
+
+/// The surface.
+#[derive(Args)]
+#[command(next_help_heading = "Surface")]
+pub(crate) struct GridFlags {
+    /// Range of x [default: -5..5; of a file, its own]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = parse_range)]
+    x: Option<[f64; 2]>,
+    /// Range of z, which points to the viewer of the front view [default: -5..5; of a file, its own]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = parse_range)]
+    z: Option<[f64; 2]>,
+    /// Points along x, for an expression [default: 100]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    nx: Option<u32>,
+    /// Points along z, for an expression [default: 100]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    nz: Option<u32>,
+    /// Multiply all heights
+    #[arg(long, value_name = "S", default_value_t = 1.0, allow_hyphen_values = true,
+          value_parser = parse_scale)]
+    z_scale: f64,
+    /// Stand the surface on walls that end at this height, after scaling
+    #[arg(long, value_name = "HEIGHT", allow_hyphen_values = true, value_parser = parse_number)]
+    base: Option<f64>,
+    /// Curves to draw: those of constant z, of constant x, or both
+    #[arg(long, value_enum, value_name = "FAMILY", default_value_t = Family::Both)]
+    curves: Family,
+    /// Draw every Nth curve only; all of them hide
+    #[arg(long, value_name = "N", default_value_t = 1,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    every: u32,
+    /// Leave out the curves at the borders, where --curves and --every do not ask for them
+    #[arg(long)]
+    no_borders: bool,
+    /// Missing heights: refuse them, or cut the grid to its largest rectangle without any
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = Missing::Refuse)]
+    missing: Missing,
+    /// Format of a file of heights: csv, asc (ESRI ASCII grid) or png [default: by content, then
+    /// extension]
+    #[arg(long, value_name = "F", value_parser = parse_format)]
+    input_format: Option<HeightFormat>,
+    /// Unit of the numbers [default: mm]
+    #[arg(long, value_enum)]
+    pub(crate) unit: Option<UnitName>,
+}
+
+/// Which curves are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Family {
+    Z,
+    X,
+    Both,
+}
+
+/// What is done about missing heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Missing {
+    Refuse,
+    Cut,
+}
+
+impl GridFlags {
+    /// Which lines are drawn.
+    pub(crate) fn curves(&self) -> CurveOptions {
+        CurveOptions {
+            constant_z: self.curves != Family::X,
+            constant_x: self.curves != Family::Z,
+            diagonals: false,
+            borders: !self.no_borders,
+            every: self.every,
+        }
+    }
+
+    /// The surface of an expression or a file, and its name.
+    pub(crate) fn surface(
+        &self,
+        source: &str,
+        session: &RunFlags,
+    ) -> Result<(Surface, String), Failure> {
+        let (heights, name, file) = match self.file(source) {
+            Some(heights) => {
+                let stem = Path::new(source).file_stem();
+                let name = stem.map_or("stdin".into(), |stem| stem.to_string_lossy().into_owned());
+                (heights?, if source == "-" { "stdin".to_owned() } else { name }, Some(source))
+            }
+            None => (self.expression(source)?, source.to_owned(), None),
+        };
+        let place = |error: SurfaceError| match (file, &error) {
+            (Some(file), SurfaceError::Missing { .. } | SurfaceError::NothingLeft) => {
+                Failure::failed(format!("{file}: {}", advised(&error)))
+            }
+            (None, SurfaceError::Missing { .. } | SurfaceError::NothingLeft) => {
+                Failure::failed(format!("'{source}': {}", advised(&error)))
+            }
+            _ => Failure::usage(error.to_string()),
+        };
+        let heights = heights.scaled(self.z_scale).map_err(place)?;
+        let heights = match self.missing {
+            Missing::Cut if heights.missing() > 0 => {
+                let (missing, points) = (heights.missing(), heights.values().len());
+                let (left, cut) = heights.cut_to_complete().map_err(place)?;
+                session.note(&format!(
+                    "{source}: {missing} of {points} heights are missing: cut to columns {} to {}, \
+                     rows {} to {}",
+                    cut.columns.start + 1,
+                    cut.columns.end,
+                    cut.rows.start + 1,
+                    cut.rows.end
+                ));
+                left
+            }
+            _ => heights,
+        };
+        Ok((Surface::new(heights, self.base).map_err(place)?, name))
+    }
+
+    /// The heights of a file, if the source is one.
+    fn file(&self, source: &str) -> Option<Result<Heights, Failure>> {
+        let path = Path::new(source);
+        let known = HeightFormat::from_extension(path).is_some();
+        if !(source == "-" || known || self.input_format.is_some() || path.is_file()) {
+            return None;
+        }
+        Some(self.read(source))
+    }
+
+    fn read(&self, source: &str) -> Result<Heights, Failure> {
+        if self.nx.is_some() || self.nz.is_some() {
+            return Err(Failure::usage(
+                "--nx and --nz: a file has its own points, expected an expression or neither",
+            ));
+        }
+        let heights = if source == "-" {
+            let (name, mut bytes) = ("<stdin>", Vec::new());
+            match stdin().lock().read_to_end(&mut bytes) {
+                Ok(_) => read_heights_bytes(name, &bytes, self.input_format)?,
+                Err(error) => {
+                    return Err(Failure::failed(format!("{name}: cannot be read: {error}")));
+                }
+            }
+        } else {
+            read_heights(Path::new(source), self.input_format)?
+        };
+        if self.x.is_none() && self.z.is_none() {
+            return Ok(heights);
+        }
+        let spread = |axis, range: Option<[f64; 2]>, own: &[f64]| match range {
+            Some(range) => Heights::steps(axis, range, own.len()),
+            None => Ok(own.to_vec()),
+        };
+        let xs = spread('x', self.x, heights.xs())?;
+        let zs = spread('z', self.z, heights.zs())?;
+        Ok(heights.moved(xs, zs)?)
+    }
+
+    fn expression(&self, text: &str) -> Result<Heights, Failure> {
+        let count = |number: Option<u32>| number.map_or(POINTS, |number| number as usize);
+        let xs = Heights::steps('x', self.x.unwrap_or(RANGE), count(self.nx))?;
+        let zs = Heights::steps('z', self.z.unwrap_or(RANGE), count(self.nz))?;
+        Ok(Heights::of_expression(text, xs, zs)?)
+    }
+}
+
+/// What to do about missing heights.
+fn advised(error: &SurfaceError) -> String {
+    match error {
+        SurfaceError::Missing { .. } => format!("{error}, or --missing cut"),
+        _ => error.to_string(),
+    }
+}
+
+fn parse_number(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    number.ok_or_else(|| "expected a number".to_owned())
+}
+
+fn parse_scale(text: &str) -> Result<f64, String> {
+    let scale = parse_number(text).ok().filter(|&scale| scale != 0.0);
+    scale.ok_or_else(|| "expected a number other than 0".to_owned())
+}
+
+fn parse_range(text: &str) -> Result<[f64; 2], String> {
+    let ends = text.split_once("..").and_then(|(from, to)| {
+        Some([parse_number(from).ok()?, parse_number(to).ok()?]).filter(|[from, to]| from < to)
+    });
+    ends.ok_or_else(|| "expected two growing numbers, as in -6..6".to_owned())
+}
+
+fn parse_format(name: &str) -> Result<HeightFormat, String> {
+    HeightFormat::from_name(name).ok_or_else(|| "expected csv, asc or png".to_owned())
+}

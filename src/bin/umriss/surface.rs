@@ -1,0 +1,209 @@
+//! `umriss surface`: a surface y = f(x, z) as curves without their hidden
+//! parts.
+
+use crate::camera_flags::CameraFlags;
+use crate::failure::Failure;
+use crate::grid_flags::GridFlags;
+use crate::model_flags::UnitName;
+use crate::outputs::{Computed, OutputFlags};
+use crate::page_flags::PageFlags;
+use crate::pen_flags::PenFlags;
+use crate::plotter_flags::{Plotter, PlotterFlags};
+use crate::session::RunFlags;
+use crate::stroke_flags::StrokeFlags;
+use crate::style_flags::StyleFlags;
+use clap::{Args, ValueEnum};
+use umriss::drawing::{
+    Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, SurfaceOptions,
+};
+use umriss::export::DrawingNotes;
+use umriss::kernel::predicates::Exact;
+use umriss::model::surface::{Curves, Surface};
+use umriss::model::{FeatureOptions, LineClass, Mesh, View};
+use umriss::run::Run;
+use umriss::view::{
+    Crossing, ExactLines, ImageRegions, LineQuestion, PreparedSurface, PreparedView, VisibleLines,
+};
+use umriss::visibility::{
+    AppelOptions, appel, floating_horizon, outlined, reduce, reduce_with_crossings,
+};
+
+const EXAMPLES: &str = "\
+Examples:
+  umriss surface 'sin(x)*cos(z)' --x -6..6 --z -6..6 --nx 200 --nz 60 -o waves.svg
+  umriss surface 'exp(-(x^2+z^2)/8)*3' --curves z --no-borders --direction 0,1,-0.6 -o bell.hpgl
+  umriss surface '3*cos(sqrt(x^2+z^2))' --x -9..9 --z -9..9 --base -6 --hidden dashed -o drop.svg
+  umriss surface heights.csv --z-scale 2 --view iso-sw -o heights.svg -o heights.json
+  umriss surface island.png --z-scale 0.002 --every 8 --eye 500,-900,400 -o island.svg
+  umriss surface terrain.asc --missing cut --unit m --halo 0.8mm -o terrain.svg
+  umriss draw heights.json -o small.svg --paper a6         (restyled, not computed again)
+  umriss surface --x -2..2 -o bowl.svg -- '-x^2'           (an expression that begins with -)";
+
+const NO_OUTLINE: &str = "\
+a floating horizon does not tell the outline: expected no --outline and no rule for it, or --method \
+appel";
+
+const NO_COUNTS: &str = "\
+a floating horizon does not count what hides a line: expected no --hidden-by, or --method appel";
+
+/// Draw a surface y = f(x, z) as curves without their hidden parts.
+///
+/// The surface is an expression of x and z, or a grid of heights from a
+/// file: CSV, ESRI ASCII grid, 16-bit grey PNG. y points up and z to the
+/// viewer of the front view: (x, y, z) is (x, -z, y) for the camera.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct SurfaceCommand {
+    /// An expression of x and z, or a file of heights; - is standard input
+    #[arg(value_name = "EXPR|FILE")]
+    source: String,
+    #[command(flatten)]
+    outputs: OutputFlags,
+    #[command(flatten)]
+    grid: GridFlags,
+    /// Method that finds visible lines
+    #[arg(long, value_enum, value_name = "M", default_value_t = Method::Horizon)]
+    method: Method,
+    #[command(flatten)]
+    camera: CameraFlags,
+    #[command(flatten)]
+    page: PageFlags,
+    #[command(flatten)]
+    style: StyleFlags,
+    #[command(flatten)]
+    strokes: StrokeFlags,
+    #[command(flatten)]
+    pen: PenFlags,
+    #[command(flatten)]
+    plotter: PlotterFlags,
+    #[command(flatten)]
+    session: RunFlags,
+}
+
+/// A method for surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Method {
+    /// Floating horizon, for eyes that stand beside the surface
+    Horizon,
+    /// Quantitative invisibility, as umriss draw has it; any eye
+    Appel,
+}
+
+/// Lines, and their crossings if these are wanted.
+type Found = (VisibleLines, Option<Vec<Crossing>>);
+
+impl SurfaceCommand {
+    /// Runs the command.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let outputs = self.outputs.plan()?;
+        let plotter = self.plotter.plotter()?;
+        let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
+    }
+
+    fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
+        let styles = self.style.styles()?;
+        let options = self.options();
+        let hidden = options.hidden != Hidden::None;
+        self.check(&options, &styles)?;
+        let (surface, name) =
+            run.stage("heights", 1, || self.grid.surface(&self.source, &self.session))?;
+        let view = self.camera.camera()?.view(surface.bounds())?;
+        let (lines, crossings) = match self.method {
+            Method::Horizon => self.by_horizon(&surface, &name, &view, hidden, run)?,
+            Method::Appel => self.by_appel(&surface, &name, &view, hidden, &styles, run)?,
+        };
+        let unit = Some(self.grid.unit.map(UnitName::unit).unwrap_or_default());
+        let outline = self.style.outline_wanted(&styles);
+        let notes = DrawingNotes { unit, hidden: Some(hidden), outline, crossings };
+        let crossings = notes.crossings.as_deref().unwrap_or_default();
+        let regions = ImageRegions::default();
+        let content = Content { lines: &lines, crossings, regions: &regions };
+        let page = || Drawing::of(&content, &options, &styles, &SurfaceOptions::default());
+        let mut drawing = run.stage("page", lines.pieces.len() as u64, page)?;
+        self.pen.apply(&mut drawing, self.effort(), plotter, &self.session, run);
+        Ok(Computed { lines, notes, drawing })
+    }
+
+    /// Refuses what a horizon does not find.
+    fn check(&self, options: &DrawingOptions, styles: &Styles) -> Result<(), Failure> {
+        if self.method == Method::Appel {
+            return Ok(());
+        }
+        if self.style.outline_wanted(styles).is_some() {
+            return Err(Failure::usage(NO_OUTLINE));
+        }
+        if options.hidden_by.tells_apart() {
+            return Err(Failure::usage(NO_COUNTS));
+        }
+        Ok(())
+    }
+
+    fn by_horizon(
+        &self,
+        surface: &Surface,
+        name: &str,
+        view: &View,
+        hidden: bool,
+        run: &Run<'_>,
+    ) -> Result<Found, Failure> {
+        let prepared = PreparedSurface::new(name, surface, view, &self.grid.curves(), run)
+            .map_err(|_| Failure::usage(NO_CURVES))?;
+        let question = prepared.question(hidden);
+        let answer = floating_horizon::<Exact>(&question, run)?;
+        self.reduced(&question.lines, &answer, run)
+    }
+
+    fn by_appel(
+        &self,
+        surface: &Surface,
+        name: &str,
+        view: &View,
+        hidden: bool,
+        styles: &Styles,
+        run: &Run<'_>,
+    ) -> Result<Found, Failure> {
+        let curves = Curves::new(surface, &self.grid.curves());
+        let soup = surface.soup(name, &curves);
+        let points = soup.vertices.len() as u64;
+        let mesh = run.stage("mesh", points, || Mesh::new(vec![soup], None));
+        let mesh = mesh.map_err(|error| Failure::failed(error.to_string()))?;
+        let options = FeatureOptions::default().with_classes(&[LineClass::Line]);
+        let prepared = PreparedView::new::<Exact>(&mesh, view, &options, run)?;
+        let question = prepared.question(hidden);
+        let mut answer = appel::<Exact>(&question, &AppelOptions::default(), run)?;
+        if let Some(of) = self.style.outline_wanted(styles) {
+            answer = outlined::<Exact>(&question, &answer, of, run)?;
+        }
+        self.reduced(&question, &answer, run)
+    }
+
+    fn reduced(
+        &self,
+        question: &LineQuestion<'_>,
+        answer: &ExactLines,
+        run: &Run<'_>,
+    ) -> Result<Found, Failure> {
+        if self.style.crossings_wanted() {
+            let (lines, crossings) = reduce_with_crossings::<Exact>(question, answer, run)?;
+            return Ok((lines, Some(crossings)));
+        }
+        Ok((reduce::<Exact>(question, answer, run)?, None))
+    }
+
+    /// What is asked of the page.
+    fn options(&self) -> DrawingOptions {
+        let unit = self.grid.unit.map(UnitName::unit).unwrap_or_default();
+        let page = self.page.options(self.style.base(), unit);
+        let options = self.style.apply(self.strokes.apply(page));
+        DrawingOptions { junctions: self.pen.orders(self.effort()), ..options }
+    }
+
+    /// How strokes are put in order without a flag that says so.
+    fn effort(&self) -> Effort {
+        self.style.preset.map(Preset::effort).unwrap_or_default()
+    }
+}
+
+/// Every grid has curves of either family.
+const NO_CURVES: &str = "there is no curve to draw: expected --curves z, x or both";

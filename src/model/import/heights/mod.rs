@@ -1,0 +1,120 @@
+//! Grids of heights from files: tables of numbers, ESRI ASCII grids, and
+//! grey images.
+//!
+//! The first row of a file is the farthest from the viewer of the front view,
+//! as north is on a map, so z grows from row to row. Places are column and
+//! row, counted from 0, where the file says nothing else.
+
+mod csv;
+mod esri;
+#[cfg(feature = "png")]
+mod png;
+
+use super::ImportError;
+use super::error::{Fault, Read};
+use super::text::Text;
+use crate::model::surface::Heights;
+use std::path::Path;
+
+/// A format of heights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum HeightFormat {
+    /// A table of numbers, a row to a line.
+    Csv,
+    /// ESRI ASCII grid.
+    Esri,
+    /// A grey image of 8 or 16 bits.
+    Png,
+}
+
+impl HeightFormat {
+    /// Every format.
+    pub const ALL: [HeightFormat; 3] = [HeightFormat::Csv, HeightFormat::Esri, HeightFormat::Png];
+
+    /// What the format is called: its usual extension.
+    pub fn name(self) -> &'static str {
+        match self {
+            HeightFormat::Csv => "csv",
+            HeightFormat::Esri => "asc",
+            HeightFormat::Png => "png",
+        }
+    }
+
+    /// The format of a name or extension, in small or capital letters.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| name.eq_ignore_ascii_case(format.name()))
+    }
+
+    /// The format that the extension of a file's name says.
+    pub fn from_extension(path: &Path) -> Option<Self> {
+        path.extension().and_then(|extension| extension.to_str()).and_then(Self::from_name)
+    }
+
+    /// The format that the bytes themselves say, if they say it clearly.
+    pub fn from_content(bytes: &[u8]) -> Option<Self> {
+        if bytes.starts_with(b"\x89PNG") {
+            return Some(HeightFormat::Png);
+        }
+        let word = Text::new(bytes).word_across_lines()?;
+        esri::is_key(word).then_some(HeightFormat::Esri)
+    }
+}
+
+/// Reads a grid of heights. The format is the one given, else what the
+/// content says, else what the extension says.
+///
+/// # Errors
+///
+/// If the file cannot be read, its format is unknown or left out of this
+/// build, or the content is not a sound grid of that format. Missing heights
+/// are no error here.
+pub fn read_heights(path: &Path, format: Option<HeightFormat>) -> Result<Heights, ImportError> {
+    let name = path.display().to_string();
+    match std::fs::read(path) {
+        Ok(bytes) => read_heights_bytes(&name, &bytes, format),
+        Err(source) => Err(ImportError::Io { file: name, source }),
+    }
+}
+
+/// Reads a grid that is already in memory; `name` is for messages and, where
+/// nothing else tells the format, for its extension. Time and memory
+/// O(`bytes`), images O(pixels).
+///
+/// # Errors
+///
+/// As [`read_heights`].
+pub fn read_heights_bytes(
+    name: &str,
+    bytes: &[u8],
+    format: Option<HeightFormat>,
+) -> Result<Heights, ImportError> {
+    read(Path::new(name), bytes, format).map_err(|fault| fault.named(name))
+}
+
+fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<Heights> {
+    if bytes.trim_ascii().is_empty() {
+        return Err(Fault::line(1, "the file is empty, expected heights"));
+    }
+    let told = format.or_else(|| HeightFormat::from_content(bytes));
+    match told.or_else(|| HeightFormat::from_extension(name)) {
+        Some(HeightFormat::Csv) => csv::read(bytes),
+        Some(HeightFormat::Esri) => esri::read(bytes),
+        Some(HeightFormat::Png) => read_png(bytes),
+        None => Err(Fault::file("the format is unknown, expected CSV, ESRI ASCII grid or PNG")),
+    }
+}
+
+#[cfg(feature = "png")]
+use png::read as read_png;
+
+#[cfg(not(feature = "png"))]
+fn read_png(_: &[u8]) -> Read<Heights> {
+    Err(Fault::file("this build cannot read png files, expected one with feature png"))
+}
+
+/// Heights at columns and rows.
+fn on_columns_and_rows(columns: usize, values: Vec<f64>) -> Read<Heights> {
+    let steps = |count: usize| (0..count).map(|i| i as f64).collect();
+    let rows = values.len() / columns.max(1);
+    Heights::new(steps(columns), steps(rows), values).map_err(|e| Fault::file(e.to_string()))
+}
