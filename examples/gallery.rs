@@ -24,14 +24,14 @@ use umriss::model::{
 };
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
-use umriss::view::{ImageRegions, ObjectWish, PreparedSurface, PreparedView};
+use umriss::view::{ImageRegions, LineQuestion, ObjectWish, PreparedSurface, PreparedView};
 use umriss::visibility::{
-    AppelOptions, RegionOptions, appel, floating_horizon, image_regions, reduce,
-    reduce_with_crossings, visible_regions,
+    AppelOptions, PainterFault, PainterOptions, RegionOptions, appel, floating_horizon,
+    image_regions, paint_order, painted_image, reduce, reduce_with_crossings, visible_regions,
 };
 
 /// Name, model and flags of every drawing.
-const GALLERY: [(&str, &str, &str); 33] = [
+const GALLERY: [(&str, &str, &str); 35] = [
     ("teapot", "teapot.obj", "--direction -0.35,-0.45,-0.8 --up 0,1,0 --style fine.toml"),
     ("spot", "spot.obj", "--direction 0.8,-0.35,0.75 --up 0,1,0 --crease 20 --style fine.toml"),
     ("spot-mesh", "spot.obj", "--direction 0.9,-0.4,0.8 --up 0,1,0 --edges ALL --style fine.toml"),
@@ -123,6 +123,13 @@ const GALLERY: [(&str, &str, &str); 33] = [
         "plates_with_holes.json",
         "--view iso --fill flat --hatch shade --hatch-spacing 0.8mm --style fine.toml",
     ),
+    // Painted back to front.
+    ("gear-painted", "gear64.obj", "--view iso --method painter --fill shade --style fine.toml"),
+    (
+        "three-bars-painted",
+        "three_bars.obj",
+        "--view top --method painter --fill shade --style fine.toml",
+    ),
 ];
 
 /// Name, expression or file of heights, and flags of every surface.
@@ -161,9 +168,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{name:<16} {pieces:>6} pieces   {}", flags.surface_command(name, source));
         }
     }
-    if wanted.is_empty() || wanted.iter().any(|one| one == "clip") {
-        draw_clip(root)?;
-        println!("clip");
+    for (name, draw) in [("clip", draw_clip as fn(&Path, &str) -> _), ("three-bars-by-depth", bars)]
+    {
+        if wanted.is_empty() || wanted.iter().any(|one| one == name) {
+            draw(root, name)?;
+            println!("{name}");
+        }
     }
     Ok(())
 }
@@ -177,6 +187,9 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     let (view, wishes) = (flags.view(scene.mesh.bounds())?, flags.wishes(&scene.mesh)?);
     let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, &run)?;
     let question = prepared.question(flags.get("hidden").is_some());
+    if flags.get("method") == Some("painter") {
+        return paint(root, name, &question, flags, None);
+    }
     let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
     let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, &run)?;
     let surfaces = flags.surfaces()?;
@@ -192,6 +205,37 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     drawing.order(flags.effort()?);
     write(root, name, &drawing)?;
     Ok(lines.pieces.len())
+}
+
+/// Paints one picture back to front; returns the number of its pieces.
+fn paint(
+    root: &Path,
+    name: &str,
+    question: &LineQuestion<'_>,
+    flags: &Flags,
+    fault: Option<PainterFault>,
+) -> Result<usize, Box<dyn Error>> {
+    let options = PainterOptions { fault, ..PainterOptions::default() };
+    let order = paint_order::<Exact>(question, &options, &Run::default())?;
+    let (faces, lines) = painted_image(question, &order)?;
+    let (styles, surfaces) = (flags.styles(root)?, flags.surfaces()?);
+    let drawing = Drawing::painted(&faces, &lines, &flags.options()?, &styles, &surfaces)?;
+    write(root, name, &drawing)?;
+    Ok(order.pieces.len())
+}
+
+/// Three bars, each over the next one, as painters without planes paint them:
+/// by depth alone.
+fn bars(root: &Path, name: &str) -> Result<(), Box<dyn Error>> {
+    let model = import::read_file(&root.join("examples/models/three_bars.obj"), None)?;
+    let scene = Scene::new(model.objects, &SceneOptions::default())?;
+    let flags = "--view top --fill shade --style fine.toml --paper a5 --landscape";
+    let flags = Flags::read(flags)?;
+    let view = flags.view(scene.mesh.bounds())?;
+    let options = FeatureOptions::default();
+    let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, &Run::default())?;
+    paint(root, name, &prepared.question(false), &flags, Some(PainterFault::DepthOnly))?;
+    Ok(())
 }
 
 /// Draws one surface; returns the number of its pieces.
@@ -243,7 +287,7 @@ fn write(root: &Path, name: &str, drawing: &Drawing) -> Result<(), Box<dyn Error
 /// Two polygons that meet in every degenerate way, and what they have in
 /// common, what either has alone: edges on edges, in the same sense and
 /// against it, corners on corners, corners on edges, holes that touch.
-fn draw_clip(root: &Path) -> Result<(), Box<dyn Error>> {
+fn draw_clip(root: &Path, name: &str) -> Result<(), Box<dyn Error>> {
     let ring = |corners: &[[i32; 2]]| -> Vec<DVec2> {
         corners.iter().map(|[x, y]| DVec2::new(f64::from(*x), f64::from(*y))).collect()
     };
@@ -284,7 +328,7 @@ fn draw_clip(root: &Path) -> Result<(), Box<dyn Error>> {
         layer(2, &second, 0.35, Color([20, 60, 140])),
     ];
     let size = DVec2::new(150.0, 140.0);
-    write(root, "clip", &Drawing { size, scale: 1.0, layers, fills, painting: Vec::new() })
+    write(root, name, &Drawing { size, scale: 1.0, layers, fills, painting: Vec::new() })
 }
 
 /// The flags of a command by their names.
