@@ -182,7 +182,7 @@ fn between(from: Look, to: Look, pieces: &mut Vec<[f64; 2]>) {
         // Where a column has no entry the difference is infinite, and the
         // change is taken to be half way.
         let zero = if a.is_finite() && b.is_finite() { a / (a - b) } else { 0.5 };
-        match (a > 0.0, b > 0.0) {
+        match (a >= 0.0, b >= 0.0) {
             (true, true) => found.push([from.at, to.at]),
             (true, false) => found.push([from.at, along(zero)]),
             (false, true) => found.push([along(zero), to.at]),

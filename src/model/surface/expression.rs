@@ -62,7 +62,7 @@ mod tests {
         assert_eq!(values("z").unwrap(), [3.0, 3.0, 3.0, 5.0, 5.0, 5.0]);
         assert_eq!(values("7").unwrap(), [7.0; 6]);
         assert_eq!(values("8/2*4-1.5E+1 + 0*x").unwrap(), [1.0; 6]);
-        assert_eq!(values("2^3^2 - 2*-x^2/-1 - 2*x^2 + 2^-1").unwrap(), [512.5; 6]);
+        assert_eq!(values("2^3^2 - 2*-x^2/-1 + 2*x^2 + 2^-1").unwrap(), [512.5; 6]);
         assert_eq!(values("-(1+x)^2 + (x+1)^2 + sqrt(z)^2").unwrap()[0], 3_f64.sqrt().powf(2.0));
         let found = values("sin(x)*cos(z)").unwrap();
         assert_eq!(found[4], 1_f64.sin() * 5_f64.cos());

@@ -56,6 +56,11 @@ impl Surface {
         self.base.is_some()
     }
 
+    /// Whether there is a base below the borders; above them it may be too.
+    pub fn has_base_below(&self) -> bool {
+        self.base.is_some_and(|base| base < self.heights.values()[0])
+    }
+
     /// The vertex in a column and a row.
     pub fn vertex(&self, column: u32, row: u32) -> u32 {
         row * self.columns() + column

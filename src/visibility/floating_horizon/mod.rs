@@ -47,9 +47,6 @@ mod order;
 mod tracks;
 mod walker;
 
-#[cfg(test)]
-mod tests;
-
 use crate::kernel::predicates::Policy;
 use crate::run::{Cancelled, Run};
 use crate::view::{ExactLines, SurfaceQuestion};

@@ -46,18 +46,24 @@ impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn take(&mut self, step: Step) {
         let (surface, curves) = (self.question.surface, self.question.curves);
         match step {
-            Step::Cell([a, b]) => self.segment([a, b], curves.line([a.min(b), a.max(b)])),
+            Step::Cell([a, b]) => {
+                self.segment([a, b], curves.line([a.min(b), a.max(b)]), [true; 2]);
+            }
             Step::Base(side, place) => {
                 let ends = [place, place + 1].map(|place| {
                     let [i, j] = surface.place_on_side(side, place);
                     surface.base_vertex(i, j)
                 });
-                self.segment(ends, curves.base_line(side, place));
+                // Upright, it lies in a wall that is seen from its edge. Over
+                // it in its column is the surface's border, which no horizon
+                // has: beyond that it is nowhere.
+                let below = surface.has_base_below();
+                self.segment(ends, curves.base_line(side, place), [!below, below]);
             }
             Step::BaseCorner(corner) => {
                 let [i, j] = surface.corner(corner);
                 let ends = [surface.vertex(i, j), surface.base_vertex(i, j)];
-                self.segment(ends, curves.base_corner(corner));
+                self.segment(ends, curves.base_corner(corner), [true; 2]);
             }
             Step::RowDone => {}
         }
@@ -76,14 +82,15 @@ impl<'q, P: Policy> Walker<'q, P> {
     }
 
     /// Adds the segment between two vertices, which is this line if it is
-    /// drawn.
-    fn segment(&mut self, [a, b]: [u32; 2], line: Option<u32>) {
+    /// drawn. If it is upright, it may be seen beyond these of the upper and the
+    /// lower horizon.
+    fn segment(&mut self, [a, b]: [u32; 2], line: Option<u32>, upright_beyond: [bool; 2]) {
         self.segments += 1;
         let first = self.pieces.len();
         let ends = match self.questions.compare(Break::Vertex(a), b) {
             Ordering::Less => self.sloping([a, b], line.is_some()),
             Ordering::Greater => self.sloping([b, a], line.is_some()),
-            Ordering::Equal if line.is_some() => self.upright([a, b]),
+            Ordering::Equal if line.is_some() => self.upright([a, b], upright_beyond),
             Ordering::Equal => [a, b],
         };
         if let Some(line) = line {
@@ -108,8 +115,8 @@ impl<'q, P: Policy> Walker<'q, P> {
         segment
     }
 
-    /// A drawn segment in a single column.
-    fn upright(&mut self, ends: [u32; 2]) -> [u32; 2] {
+    /// A drawn segment in a single column, seen beyond these horizons only.
+    fn upright(&mut self, ends: [u32; 2], beyond: [bool; 2]) -> [u32; 2] {
         let carrier = Carrier::edge(ends[0], ends[1]);
         if self.questions.predicates.axis_across(carrier).is_none() || !self.find_near(ends) {
             // Its image is a point, or behind the eye.
@@ -123,7 +130,11 @@ impl<'q, P: Policy> Walker<'q, P> {
                 let [from, to] = segment
                     .map_or([Sign::Positive; 2], |segment| ends.map(|end| rise(segment, end)));
                 let cut = segment.map_or(Place::End, |s| Place::Cut(Cut::Silhouette(s)));
-                mark(&mut self.tracks[first + 2 * side], [from, to], cut);
+                let track = &mut self.tracks[first + 2 * side];
+                match beyond[first] {
+                    true => mark(track, [from, to], cut),
+                    false => track.all(State::Within),
+                }
             }
         }
         let [a, b, c, d] = &self.tracks;

@@ -1,17 +1,16 @@
 //! The floating horizon against Appel's method and Roberts' on the same
 //! surface, as a mesh of triangles with the same lines.
 
-use super::{HorizonError, floating_horizon};
-use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Carrier, Cut, Exact, Eye, Place, Point, Points, Predicates};
-use crate::model::surface::{CurveOptions, Curves, Heights, Surface};
-use crate::model::{Camera, FeatureOptions, LineClass, LineOrigin, Mesh, View};
-use crate::run::Run;
-use crate::view::{ExactLines, PreparedSurface, PreparedView};
-use crate::visibility::{AppelOptions, appel, reduce, roberts};
 use glam::{DVec2, DVec3, dvec3};
 use proptest::prelude::*;
 use std::cmp::Ordering;
+use umriss::kernel::numbers::Sign;
+use umriss::kernel::predicates::{Carrier, Cut, Exact, Eye, Place, Point, Points, Predicates};
+use umriss::model::surface::{CurveOptions, Curves, Heights, Surface};
+use umriss::model::{Camera, FeatureOptions, LineClass, LineOrigin, Mesh, View};
+use umriss::run::Run;
+use umriss::view::{ExactLines, PreparedSurface, PreparedView};
+use umriss::visibility::{AppelOptions, HorizonError, appel, floating_horizon, reduce, roberts};
 
 const ALL: CurveOptions =
     CurveOptions { constant_z: true, constant_x: true, diagonals: true, borders: true, every: 1 };
@@ -245,10 +244,28 @@ fn a_strip_seen_from_its_edge_is_drawn_once() {
         let question = prepared.question(false);
         let answer = appel::<Exact>(&question, &AppelOptions::default(), &run).unwrap();
         let other = reduce::<Exact>(&question, &answer, &run).unwrap();
-        let images = |lines: &crate::view::VisibleLines| -> Vec<[DVec2; 2]> {
+        let images = |lines: &umriss::view::VisibleLines| -> Vec<[DVec2; 2]> {
             lines.pieces.iter().map(|piece| piece.points).collect()
         };
         assert_eq!(images(&drawn), images(&other));
+    }
+}
+
+#[test]
+fn the_border_hides_the_base_of_a_wall_that_is_seen_from_its_edge() {
+    // The eye stands in the plane of the left wall and looks over the near one.
+    let eye = Eye::At(dvec3(0.0, 1.0, 1.0));
+    for (sign, eye_below) in [(1.0, false), (-1.0, true)] {
+        let heights = [-2.0 * sign, 0.0, 0.0, 0.0];
+        let eye = match eye {
+            Eye::At(place) if eye_below => Eye::At(place.with_z(-place.z)),
+            eye => eye,
+        };
+        let surface = surface(2, &heights, Some(-4.0 * sign));
+        for hidden in [false, true] {
+            compare(&surface, eye, hidden, false).unwrap();
+            compare(&surface, eye, hidden, true).unwrap();
+        }
     }
 }
 

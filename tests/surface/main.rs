@@ -1,4 +1,9 @@
-//! Surfaces: the exact horizon against the arrays of pixel columns.
+//! Surfaces: the exact horizon against the arrays of pixel columns, and
+//! against the methods of meshes.
+
+#![allow(clippy::unwrap_used)]
+
+mod meshes;
 
 use glam::{DVec3, dvec3};
 use umriss::kernel::predicates::{Carrier, Exact, Measured, Place, Predicates};
