@@ -11,7 +11,6 @@ use super::graph::Graph;
 use super::judge::{Judge, Relation};
 use super::sheets::Sheet;
 use crate::kernel::predicates::Policy;
-use crate::polygon::Cut;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
 
@@ -120,18 +119,16 @@ fn cut_on<P: Policy>(graph: &Graph, judge: &Judge<'_, P>, cycle: &[u32]) -> Opti
         let [before, after] =
             [i + cycle.len() - 1, i + 1].map(|i| &graph.sheets[cycle[i % cycle.len()] as usize]);
         for &by in cycle.iter().filter(|&&by| by != sheet) {
-            let plane = graph.sheets[by as usize].polygon.plane().into();
-            let whole = &graph.sheets[sheet as usize];
-            let Cut::Parted(parts) = whole.polygon.cut(&judge.predicates, plane) else { continue };
+            let [whole, other] = [sheet, by].map(|i| &graph.sheets[i as usize]);
+            let Some(pieces) = whole.cut_by(&judge.predicates, other) else { continue };
             let chosen = Chosen { sheet, by };
-            let stands_between = |part| {
-                let piece: Sheet = whole.piece(&judge.predicates, part);
+            let stands_between = |piece: Sheet| {
                 let comes_after = judge.relation(before, &piece);
                 let comes_before = judge.relation(&piece, after);
                 let leads = |relation| matches!(relation, Relation::Before | Relation::Both);
                 leads(comes_after) && leads(comes_before)
             };
-            if !parts.into_iter().any(stands_between) {
+            if !pieces.into_iter().any(stands_between) {
                 return Some(chosen);
             }
             first = first.or(Some(chosen));

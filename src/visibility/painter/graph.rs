@@ -22,7 +22,6 @@ use super::order::farthest_first;
 use super::sheets::Sheet;
 use super::{Ordered, PainterError};
 use crate::kernel::predicates::{Policy, Predicates};
-use crate::polygon::Cut;
 use crate::run::Run;
 use crate::spatial::Hierarchy;
 use crate::view::LineQuestion;
@@ -161,15 +160,10 @@ impl Graph {
     /// plane still cuts it.
     fn cut<P: Policy>(&mut self, judge: &Judge<'_, P>, chosen: Chosen) -> Option<u32> {
         let whole = chosen.sheet as usize;
-        let plane = self.sheets[chosen.by as usize].polygon.plane().into();
-        let Cut::Parted([below, above]) = self.sheets[whole].polygon.cut(&judge.predicates, plane)
-        else {
-            return None;
-        };
+        let by = &self.sheets[chosen.by as usize];
+        let [first, second] = self.sheets[whole].cut_by(&judge.predicates, by)?;
         self.cuts += 1;
         let added = self.sheets.len() as u32;
-        let pieces = [below, above].map(|part| self.sheets[whole].piece(&judge.predicates, part));
-        let [first, second] = pieces;
         self.sheets[whole] = first;
         self.sheets.push(second);
         self.labels.push(self.labels[whole]);

@@ -12,7 +12,6 @@ use super::order::farthest_first;
 use super::sheets::Sheet;
 use super::{Ordered, PainterError};
 use crate::kernel::predicates::{Policy, Predicates};
-use crate::polygon::Cut;
 use crate::run::Run;
 use crate::spatial::Hierarchy;
 use crate::view::LineQuestion;
@@ -175,10 +174,8 @@ impl<'j, 'p, P: Policy> List<'j, 'p, P> {
         let pairs = marked.iter().flat_map(|&x| marked.iter().map(move |&y| [x, y]));
         let pairs = [[first, other], [other, first]].into_iter().chain(pairs);
         for [sheet, by] in pairs {
-            let plane = self.sheets[by as usize].polygon.plane().into();
-            let whole = &self.sheets[sheet as usize];
-            if let Cut::Parted(parts) = whole.polygon.cut(&self.judge.predicates, plane) {
-                let pieces = parts.map(|part| whole.piece(&self.judge.predicates, part));
+            let [whole, other] = [sheet, by].map(|i| &self.sheets[i as usize]);
+            if let Some(pieces) = whole.cut_by(&self.judge.predicates, other) {
                 self.replace(sheet, pieces);
                 return Ok(());
             }

@@ -31,13 +31,24 @@ pub(super) struct Sheet {
 
 impl Sheet {
     /// The same with another polygon, which is a piece of this one.
-    pub(super) fn piece<P: Policy>(
-        &self,
-        predicates: &Predicates<'_, P>,
-        polygon: PlanePolygon,
-    ) -> Self {
+    fn piece<P: Policy>(&self, predicates: &Predicates<'_, P>, polygon: PlanePolygon) -> Self {
         let [nearest, farthest] = depths(predicates, &polygon);
         Sheet { polygon, nearest, farthest, ..self.clone() }
+    }
+
+    /// The pieces into which the plane of another sheet cuts this one, if it
+    /// does: first what lies beyond, so that windings decide nothing.
+    pub(super) fn cut_by<P: Policy>(
+        &self,
+        predicates: &Predicates<'_, P>,
+        other: &Sheet,
+    ) -> Option<[Sheet; 2]> {
+        let Cut::Parted(parts) = self.polygon.cut(predicates, other.polygon.plane().into()) else {
+            return None;
+        };
+        // Beyond a plane its functional has the sign of the facing.
+        let [below, above] = parts.map(|part| self.piece(predicates, part));
+        Some(if other.facing == Sign::Negative { [below, above] } else { [above, below] })
     }
 
     /// The planes through the eye and its sides.
