@@ -19,7 +19,9 @@ use umriss::model::{
     Camera, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, View, import,
 };
 use umriss::run::Run;
-use umriss::verify::{RegionVerifyOptions, VerifyOptions, verify, verify_regions};
+use umriss::verify::{
+    PaintVerifyOptions, RegionVerifyOptions, VerifyOptions, verify, verify_painting, verify_regions,
+};
 use umriss::view::PreparedView;
 use umriss::visibility::{AppelOptions, appel};
 
@@ -28,8 +30,9 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 /// Triangles up to which a model is checked in the quick run.
 const QUICK: usize = 3_000;
 
-/// Triangles up to which the regions of a model are checked in the quick run.
-const QUICK_REGIONS: usize = 400;
+/// Triangles up to which regions and painting orders of a model are checked in
+/// the quick run.
+const QUICK_FACES: usize = 400;
 
 const VIEWS: [&str; 7] = ["front", "back", "left", "right", "top", "bottom", "iso"];
 
@@ -85,8 +88,9 @@ fn check_folder(folder: &Path, largest: usize) -> Outcome<usize> {
                 println!("{} {name}:\n{report}", file.display());
                 failed.push(format!("{} {name}", file.display()));
             }
-            if scene.mesh.triangles().len() <= QUICK_REGIONS || is_long() {
+            if scene.mesh.triangles().len() <= QUICK_FACES || is_long() {
                 failed.extend(faults_of_regions(&scene.mesh, &view, file, &name)?);
+                failed.extend(faults_of_painting(&scene.mesh, &view, file, &name)?);
             }
             checked += 1;
         }
@@ -115,6 +119,24 @@ fn faults_of_regions(mesh: &Mesh, view: &View, file: &Path, name: &str) -> Outco
     }
     println!("{} {name}:\n{regions}", file.display());
     Ok(Some(format!("regions of {} {name}", file.display())))
+}
+
+/// The model and view, if a check of its painting orders finds differences.
+fn faults_of_painting(
+    mesh: &Mesh,
+    view: &View,
+    file: &Path,
+    name: &str,
+) -> Outcome<Option<String>> {
+    let run = Run::default();
+    let prepared = PreparedView::new::<Exact>(mesh, view, &FeatureOptions::default(), &run)?;
+    let options = PaintVerifyOptions { image_size: 64, ..PaintVerifyOptions::default() };
+    let report = verify_painting::<Exact>(view, &prepared.question(false), &options, &run)?;
+    if report.is_clean() && (report.rows.len() == 3 || report.skipped.is_some()) {
+        return Ok(None);
+    }
+    println!("{} {name}:\n{report}", file.display());
+    Ok(Some(format!("painting of {} {name}", file.display())))
 }
 
 /// All cameras of a model, with their names.

@@ -34,6 +34,9 @@ const CHUNK: usize = 4096;
 /// renderers leave between two areas that share a border.
 const SEAM: f64 = 0.1;
 
+/// The same where something else may show through the seam.
+const SEAM_OVER_PAINT: f64 = 0.2;
+
 /// How an SVG is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SvgOptions {
@@ -132,7 +135,7 @@ fn painting(drawing: &Drawing, grid: DecimalGrid) -> Group {
         let fill = hexadecimal(shape.color);
         let data = ring_data(&shape.rings, grid);
         let area = Path::new().set("fill", fill.clone()).set("stroke", fill);
-        let group = group.add(area.set("stroke-width", SEAM).set("d", data));
+        let group = group.add(area.set("stroke-width", SEAM_OVER_PAINT).set("d", data));
         shape.lines.iter().fold(group, |group, (style, strokes)| {
             let path = Path::new().set("fill", "none").set("stroke", hexadecimal(style.color));
             let path = path.set("stroke-width", style.width);
