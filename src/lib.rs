@@ -16,8 +16,8 @@
 //! - [`model`]: files, meshes, scenes, feature edges, grids of heights.
 //! - [`view`]: the contract between models, methods and drawings.
 //! - [`visibility`]: the object-space methods (Roberts, Appel; Weiler and
-//!   Atherton for what is seen of each face; Wright's floating horizon for
-//!   surfaces over a grid).
+//!   Atherton for what is seen of each face; Newell, Newell and Sancha's
+//!   painter; Wright's floating horizon for surfaces over a grid).
 //! - [`raster`]: the image-space references (ray casting, z-buffer, scan
 //!   lines, Warnock's windows).
 //! - [`drawing`]: pages, layers, dashes, polylines, fills, hatches.

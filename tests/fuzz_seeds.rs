@@ -2,7 +2,11 @@
 //! truncation of it and 200 mutations of it are read or refused, without a
 //! panic, and what is read is sound.
 
-use std::path::Path;
+#[path = "../fuzz/src/targets.rs"]
+#[cfg(all(feature = "json", feature = "svg"))]
+mod targets;
+
+use std::path::{Path, PathBuf};
 
 use umriss::model::Soup;
 use umriss::model::import::{Format, read_bytes};
@@ -66,15 +70,35 @@ fn mutate(seed: &[u8], random: &mut SplitMix) -> Vec<u8> {
     bytes
 }
 
-fn run(target: &str) {
-    let format = Format::from_name(target).expect("a format");
+/// The files of a corpus, in order.
+fn seeds_of(target: &str) -> Vec<PathBuf> {
     let corpus = Path::new("fuzz/corpus").join(target);
-    let mut seeds: Vec<_> = std::fs::read_dir(corpus)
-        .expect("corpus")
-        .map(|entry| entry.expect("entry").path())
-        .collect();
+    let files = std::fs::read_dir(corpus).expect("corpus");
+    let mut seeds: Vec<_> = files.map(|entry| entry.expect("entry").path()).collect();
     seeds.sort();
     assert!(!seeds.is_empty());
+    seeds
+}
+
+/// Feeds the seeds of a target to it, their truncations and mutations.
+#[cfg(all(feature = "json", feature = "svg"))]
+fn feed_all(target: &str, mutations: usize, feed: fn(&[u8])) {
+    let mut random = SplitMix(43);
+    for seed in seeds_of(target) {
+        let bytes = std::fs::read(&seed).expect("seed");
+        feed(&bytes);
+        for part in 1..8 {
+            feed(&bytes[..bytes.len() * part / 8]);
+        }
+        for _ in 0..mutations {
+            feed(&mutate(&bytes, &mut random));
+        }
+    }
+}
+
+fn run(target: &str) {
+    let format = Format::from_name(target).expect("a format");
+    let seeds = seeds_of(target);
     let mut random = SplitMix(42);
     let mut read = 0;
     for seed in seeds {
@@ -127,4 +151,28 @@ fn polygon_scene_seeds_and_their_mutations() {
 #[test]
 fn gltf_seeds_and_their_mutations() {
     run("gltf");
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
+fn clipping_seeds_and_their_mutations() {
+    feed_all("clipping", 200, targets::clipping);
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
+fn visibility_seeds_and_their_mutations() {
+    feed_all("visibility", 40, targets::visibility);
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
+fn predicate_seeds_and_their_mutations() {
+    feed_all("predicates", 40, targets::predicates);
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
+fn restyle_seeds_and_their_mutations() {
+    feed_all("restyle", 400, targets::restyle);
 }

@@ -26,6 +26,8 @@ pub struct Tally {
     failures: [Cell<u64>; Predicate::COUNT],
     big: [Cell<u64>; Predicate::COUNT],
     disagreements: Cell<u64>,
+    decisions: Cell<u64>,
+    plain_wrong: Cell<u64>,
 }
 
 /// How the sign of a formula is found.
@@ -61,6 +63,12 @@ pub struct Plain;
 /// tests, where that counter must stay zero. Slow.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Thorough;
+
+/// Answers as [`Exact`] and counts: under `decisions` all of them, under
+/// `plain-floats-wrong` those in which [`Plain`] has another sign. For
+/// measurements; slower.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Audited;
 
 impl Policy for Exact {
     const NAME: &'static str = "exact";
@@ -121,6 +129,18 @@ impl Policy for Thorough {
     }
 }
 
+impl Policy for Audited {
+    const NAME: &'static str = "audited";
+
+    fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
+        let truth = Exact::resolve(points, formula, value, tally);
+        let plain = Sign::of(formula.evaluate::<f64>(points));
+        tally.decisions.set(tally.decisions.get() + 1);
+        tally.plain_wrong.set(tally.plain_wrong.get() + u64::from(plain != truth));
+        truth
+    }
+}
+
 /// The steps behind the filter: the narrowest integers that hold the value.
 #[cold]
 #[inline(never)]
@@ -164,8 +184,15 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// Filter failures so far, by predicate.
     pub fn counters(&self) -> Counters {
         let mut counters = Counters::default();
-        if self.tally.disagreements.get() > 0 {
-            counters.add("ladder-disagreements", self.tally.disagreements.get());
+        let counts = [
+            ("ladder-disagreements", &self.tally.disagreements),
+            ("decisions", &self.tally.decisions),
+            ("plain-floats-wrong", &self.tally.plain_wrong),
+        ];
+        for (name, cell) in counts {
+            if cell.get() > 0 {
+                counters.add(name, cell.get());
+            }
         }
         for (i, [failures, big]) in Predicate::COUNTERS.iter().enumerate() {
             for (name, cell) in [(failures, &self.tally.failures[i]), (big, &self.tally.big[i])] {

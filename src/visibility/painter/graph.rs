@@ -265,12 +265,44 @@ impl Graph {
                 continue;
             }
             let whole = whole_of[node as usize] as usize;
-            let own = if is_broken[whole] { vec![node] } else { members[whole].clone() };
+            let own = match is_broken[whole] {
+                true => vec![node],
+                false => self.sorted(std::mem::take(&mut members[whole])),
+            };
             let unit = units.members.len() as u32;
             own.iter().for_each(|&node| units.of[node as usize] = unit);
             units.members.push(own);
         }
         units
+    }
+
+    /// Some sheets in an order that the links between them allow. A face that
+    /// is no plane hides parts of itself.
+    fn sorted(&self, members: Vec<u32>) -> Vec<u32> {
+        let place: FxHashMap<u32, usize> = members.iter().copied().zip(0..).collect();
+        let linked = |node: u32| {
+            let links = self.links[node as usize].iter();
+            links.filter_map(|link| Some((*place.get(&link.to)?, link)))
+        };
+        let earlier =
+            |node: u32| linked(node).filter(|(_, link)| link.relation != Relation::Before).count();
+        let mut waiting: Vec<usize> = members.iter().map(|&node| earlier(node)).collect();
+        if waiting.iter().all(|&count| count == 0) {
+            return members;
+        }
+        let ready = (0..members.len()).filter(|&i| waiting[i] == 0);
+        let mut ready: BinaryHeap<Reverse<usize>> = ready.map(Reverse).collect();
+        let mut order = Vec::with_capacity(members.len());
+        while let Some(Reverse(first)) = ready.pop() {
+            order.push(members[first]);
+            for (other, _) in linked(members[first]).filter(|(_, link)| link.later().is_some()) {
+                waiting[other] -= 1;
+                if waiting[other] == 0 {
+                    ready.push(Reverse(other));
+                }
+            }
+        }
+        order
     }
 }
 

@@ -167,8 +167,9 @@ impl<'j, 'p, P: Policy> List<'j, 'p, P> {
     /// Cuts the first of the list by the plane of the other, or the other by
     /// that of the first, or else one marked sheet by another.
     fn cut(&mut self, first: u32, other: u32) -> Result<(), PainterError> {
-        let mut marked = self.marked.clone();
-        marked.extend([first, other]);
+        // A marked sheet may have been painted since.
+        let left = self.marked.iter().copied().filter(|&sheet| !self.is_painted[sheet as usize]);
+        let mut marked: Vec<u32> = left.chain([first, other]).collect();
         marked.sort_unstable();
         marked.dedup();
         let pairs = marked.iter().flat_map(|&x| marked.iter().map(move |&y| [x, y]));
