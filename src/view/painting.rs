@@ -11,6 +11,9 @@ pub struct PaintedPiece {
     pub face: u32,
     /// The object it belongs to.
     pub object: u32,
+    /// The flat area it belongs to, as the first triangle of it: triangles of
+    /// the face and of others in its plane, across edges that are no lines.
+    pub area: u32,
     /// A triangle of the face that lies in the same plane.
     pub triangle: u32,
     /// What is painted, as far as it lies in front of the near plane.
@@ -27,7 +30,7 @@ pub struct PaintOrder {
     pub cuts: usize,
 }
 
-/// A face, or some pieces of it, in coordinates of the view frame.
+/// A flat area, or some pieces of it, in coordinates of the view frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaintedFace {
     /// What is painted: the pieces joined, as far as they follow one another.

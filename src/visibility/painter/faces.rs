@@ -5,6 +5,7 @@
 //! one plane overlap and neither has all the preferred triangles, they are
 //! painted as triangles; anywhere else the triangles of a part stay together.
 
+use super::flats::flats;
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::Mesh;
 use crate::polygon::{FaceParts, PlanePolygon, face_parts};
@@ -28,6 +29,8 @@ pub(super) struct Face {
     ranks: [u32; 2],
     /// All triangles of its face.
     whole: Range<u32>,
+    /// The first triangle of its flat area.
+    area: u32,
 }
 
 /// All parts, by the rank of their first triangles: of two in one plane that
@@ -48,14 +51,15 @@ impl Face {
         PaintedPiece {
             face: mesh.face_of(triangle),
             object: mesh.object_of_triangle(triangle),
+            area: self.area,
             triangle,
             polygon,
         }
     }
 
-    /// Which face of the mesh it is a part of.
-    pub(super) fn whole(&self) -> u32 {
-        self.whole.start
+    /// Which flat area of the mesh it is a part of.
+    pub(super) fn area(&self) -> u32 {
+        self.area
     }
 }
 
@@ -83,6 +87,10 @@ pub(super) fn faces<P: Policy>(
     }
     let mut faces = Faces { list };
     faces.untie::<P>(question, &ranks);
+    let areas = flats::<P>(question);
+    for face in &mut faces.list {
+        face.area = areas[face.triangles[0] as usize];
+    }
     faces.list.sort_unstable_by_key(|face| face.ranks);
     run.count("painter-parts", faces.list.len() as u64);
     Ok(faces)
@@ -133,7 +141,7 @@ fn cut_up<'a, P: Policy>(
         let least = triangles.iter().map(rank).min().unwrap_or(0);
         let most = triangles.iter().map(rank).max().unwrap_or(0);
         let whole = whole.clone();
-        Face { polygon: part.polygon, triangles, ranks: [least, most], whole }
+        Face { polygon: part.polygon, triangles, ranks: [least, most], area: whole.start, whole }
     })
 }
 

@@ -10,9 +10,9 @@
 //!    does not become one.
 //! 3. *Order.* Of all that may come next, the one with the deepest point comes
 //!    first (Kahn 1962), so sheets that are free stand by depth. Parts of one
-//!    face follow one another unless another face must come in between: the
-//!    graph of whole faces has components too, and faces on none are painted
-//!    in one go.
+//!    flat area follow one another unless another face must come in between:
+//!    the graph of whole areas has components too, and areas on none are
+//!    painted in one go.
 
 use super::components::{Scratch, components};
 use super::cycles::{Chosen, choose};
@@ -231,14 +231,14 @@ impl Graph {
         order.into_iter().filter_map(|node| sheets[node as usize].take()).collect()
     }
 
-    /// Sheets that are painted in one go: those of a face of which no other
-    /// must come in between; all others alone.
+    /// Sheets that are painted in one go: those of a flat area of which no
+    /// other must come in between; all others alone.
     fn units(&self, faces: &Faces, by_depth: &[u32]) -> Units {
         let mut number: FxHashMap<u32, u32> = FxHashMap::default();
         let mut whole_of = Vec::with_capacity(self.sheets.len());
         let mut members: Vec<Vec<u32>> = Vec::new();
         for (node, sheet) in self.sheets.iter().enumerate() {
-            let whole = faces.list[sheet.face as usize].whole();
+            let whole = faces.list[sheet.face as usize].area();
             let whole = *number.entry(whole).or_insert_with(|| {
                 members.push(Vec::new());
                 members.len() as u32 - 1

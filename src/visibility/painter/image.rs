@@ -1,9 +1,9 @@
 //! A painting order in coordinates of the view frame, rounded once.
 //!
-//! Pieces of one face that follow one another are one area: sides that two of
-//! them run along in opposite senses are left out, and what remains is closed
-//! again. So a face that was parted at inner edges only, or cut and not parted
-//! by another in the order, is printed whole. What is drawn of a border are
+//! Pieces of one flat area that follow one another are one shape: sides that
+//! two of them run along in opposite senses are left out, and what remains is
+//! closed again. So a face that was parted at inner edges only, or cut and not
+//! parted by another in the order, is printed whole. What is drawn of a border are
 //! sides on edges that are lines of the question; sides that cuts made are
 //! never drawn.
 
@@ -34,7 +34,7 @@ pub fn painted_image(
     let mut printer =
         Printer { question, predicates, classes: classes(question), pieces: Vec::new() };
     let mut faces = Vec::new();
-    for run in order.pieces.chunk_by(|a, b| a.face == b.face) {
+    for run in order.pieces.chunk_by(|a, b| a.area == b.area) {
         faces.push(printer.face(run));
     }
     let lines = VisibleLines {
@@ -74,7 +74,7 @@ struct Printer<'q> {
 }
 
 impl Printer<'_> {
-    /// Some pieces of one face.
+    /// Some pieces of one flat area.
     fn face(&mut self, pieces: &[PaintedPiece]) -> PaintedFace {
         let border = border(pieces);
         let first = self.pieces.len() as u32;

@@ -36,8 +36,8 @@
 //!
 //! Pieces are bounded by planes of the input ([`PlanePolygon`]), so cuts after
 //! cuts lose nothing. Concave faces and faces with holes come as convex parts,
-//! whose inner edges are never drawn and vanish where parts of one face follow
-//! one another ([`image`]); alternating overlap of concave faces is overlap of
+//! whose inner edges are never drawn and vanish where parts of one face, or of
+//! one flat area ([`flats`]), follow one another ([`image`]); alternating overlap of concave faces is overlap of
 //! convex parts. The near plane is one plane more. Of faces in one plane the
 //! one that the tie rule names is painted last. Edge-on faces are not painted.
 //!
@@ -53,6 +53,7 @@
 mod components;
 mod cycles;
 mod faces;
+mod flats;
 mod graph;
 mod image;
 mod judge;
