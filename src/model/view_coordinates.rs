@@ -7,7 +7,7 @@
 
 use super::{Frame, Projection};
 use crate::run::{fill_indexed, map_chunks};
-use crate::spatial::{Bounds, Rounding, SegmentProbe};
+use crate::spatial::{Bounds, Placed, Rounding, SegmentProbe};
 use glam::{DVec2, DVec3, Vec3A};
 
 /// Relative error of a view coordinate against the largest offset from the
@@ -120,6 +120,28 @@ impl ViewCoordinates {
                 Some((middle - slack, middle + slack))
             }
         }
+    }
+
+    /// A vertex in the image, with a depth that is linear along the images of
+    /// lines and planes: for a perspective eye, what is far away is near 0, and
+    /// all else below. Nothing if it may lie on or behind the eye's plane.
+    #[inline]
+    pub fn placed(&self, vertex: u32) -> Option<Placed> {
+        let (low, high) = self.interval(vertex)?;
+        let slack = high - low;
+        let point = self.points[vertex as usize];
+        let (image, depth) = self.project(point);
+        let image_slack = slack.truncate().max_element();
+        Some(match self.frame.projection {
+            Projection::Orthographic => {
+                Placed { at: image.extend(depth), image_slack, depth_slack: slack.z }
+            }
+            Projection::Perspective => {
+                // d(1 / z) <= dz / (z (z - dz)), and one rounding.
+                let depth_slack = (1.001 * self.error / depth + f64::EPSILON) / depth;
+                Placed { at: image.extend(-1.0 / depth), image_slack, depth_slack }
+            }
+        })
     }
 
     /// The range of a vertex's place along an axis of the image that no

@@ -252,7 +252,7 @@ fn every_fault_is_noticed() {
                 return false;
             };
             let run = Run::default();
-            let options = AppelOptions { fault: Some(fault) };
+            let options = AppelOptions { fault: Some(fault), ..AppelOptions::default() };
             let prepared =
                 PreparedView::new::<Exact>(&mesh, &view, &every_class(), &run).expect("a view");
             let question = prepared.question(true);

@@ -121,7 +121,8 @@ impl Verify {
             Some(Mistake::Lines(fault)) => Some(fault),
             _ => None,
         };
-        let answer = appel::<Exact>(&question, &AppelOptions { fault }, run)?;
+        let answer =
+            appel::<Exact>(&question, &AppelOptions { fault, ..AppelOptions::default() }, run)?;
         let lines = verify::<Exact>(&view, &question, &answer, &VerifyOptions::default(), run)?;
         let fault = match self.mistake {
             Some(Mistake::Regions(fault)) => Some(fault),

@@ -22,8 +22,8 @@
 //! Leaves are integers, so a magnitude below 2^53 means that nothing was
 //! rounded at all and the value is exact, zero included. That settles the
 //! exact zeros of small integer grids and of axis-parallel geometry without
-//! leaving floats. Nothing underflows for the same reason; overflow is
-//! excluded by the caller, who knows the largest coordinate and the degree.
+//! leaving floats. Nothing underflows for the same reason. What overflows has
+//! a magnitude that does so too, and then a bound that no value exceeds.
 
 use super::{Ring, Sign};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -129,5 +129,21 @@ impl Neg for Filtered {
     #[inline(always)]
     fn neg(self) -> Self {
         Filtered { value: -self.value, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_overflows_has_no_sign() {
+        let [huge, zero] = [1e300, 0.0].map(|value| Filtered::read(value, 0));
+        let infinite = huge * huge;
+        for none in [infinite, -infinite, infinite - infinite, infinite * zero, infinite + huge] {
+            assert_eq!(none.sign(), None);
+        }
+        assert_eq!((huge + zero).sign(), Some(Sign::Positive));
+        assert_eq!((huge * zero).sign(), Some(Sign::Zero));
     }
 }

@@ -60,7 +60,7 @@ impl Carrier {
 }
 
 /// A plane at which something may change along a carrier.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Cut {
     /// The plane of a face: the carrier pierces it.
     Face([u32; 3]),

@@ -70,16 +70,31 @@ pub struct Thorough;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Audited;
 
+/// Integers from the first decision on, as if there were no filter: for
+/// measurements. Right, and slow.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unfiltered;
+
 impl Policy for Exact {
     const NAME: &'static str = "exact";
 
     #[inline(always)]
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
-        if points.floats_hold(formula.bits(points.spread()))
+        // Floats too small for a value have an infinite bound.
+        if points.is_narrow()
             && let Some(sign) = value.sign()
         {
             return sign;
         }
+        exact_sign(points, formula, tally)
+    }
+}
+
+impl Policy for Unfiltered {
+    const NAME: &'static str = "unfiltered";
+
+    #[inline(always)]
+    fn resolve<F: Formula>(points: &Points, formula: &F, _: Filtered, tally: &Tally) -> Sign {
         exact_sign(points, formula, tally)
     }
 }
@@ -113,7 +128,7 @@ impl Policy for Thorough {
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
         let truth = formula.evaluate::<BigInteger>(points).sign();
         let bits = formula.bits(points.spread());
-        let filtered = if points.floats_hold(bits) { value.sign() } else { None };
+        let filtered = if points.is_narrow() { value.sign() } else { None };
         let mut agree = filtered.is_none_or(|sign| sign == truth);
         if points.is_narrow() {
             let holds = |width: u32| bits <= width;

@@ -47,6 +47,8 @@ pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
 pub use formula::{Formula, Predicate};
 pub use image::Approximation;
-pub use ladder::{Audited, Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough};
+pub use ladder::{
+    Audited, Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough, Unfiltered,
+};
 pub use plane::{InputPlane, Plane, PlanePoint};
 pub use points::Points;

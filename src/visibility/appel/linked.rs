@@ -21,6 +21,8 @@ use std::ops::Range;
 enum Kind {
     /// Nothing of the line has an image.
     Imageless,
+    /// The line lies wholly behind what is certainly covered.
+    Covered,
     /// The line carries no count and is walked afresh.
     Alone,
     /// An edge between two fans, without events.
@@ -79,7 +81,7 @@ impl Part {
         let mut listed = self.links.iter();
         self.kinds.iter().zip(first..).filter_map(move |(kind, line)| {
             let link = match kind {
-                Kind::Imageless | Kind::Alone => None,
+                Kind::Imageless | Kind::Covered | Kind::Alone => None,
                 Kind::Plain => plain(question, &question.lines[line]),
                 Kind::Listed => listed.next().copied(),
             };
@@ -162,14 +164,21 @@ fn first_pass<P: Policy>(
     let mut walks = Vec::with_capacity(NEIGHBOURS);
     for neighbours in lines.chunks(NEIGHBOURS) {
         walks.clear();
-        walks.extend(neighbours.iter().map(|line| walker.begin(line)));
+        for line in neighbours {
+            let covered = walker.is_covered(line);
+            walks.push(if covered {
+                Err(Kind::Covered)
+            } else {
+                walker.begin(line).ok_or(Kind::Imageless)
+            });
+        }
         let boxes = walks.iter().flatten().map(|walk| walk.probe.bounds());
         let around = boxes.fold(Bounds::EMPTY, |sum, bounds| sum.union(bounds));
         walker.nearby = walker.effective.look_around(&around);
         for (line, walk) in neighbours.iter().zip(&walks) {
             match walk {
-                None => part.kinds.push(Kind::Imageless),
-                Some(walk) => look_at(walker, contacts, line, walk, &mut part, lines.len()),
+                Err(kind) => part.kinds.push(*kind),
+                Ok(walk) => look_at(walker, contacts, line, walk, &mut part, lines.len()),
             }
         }
     }
@@ -215,7 +224,7 @@ fn last_pass<P: Policy>(
     for (kind, line) in part.kinds.iter().zip(&question.lines[lines]) {
         walker.pieces.clear();
         match kind {
-            Kind::Imageless => {}
+            Kind::Imageless | Kind::Covered => {}
             Kind::Alone => walker.walk(line),
             Kind::Plain => {
                 let first = plain(question, line).and_then(|link| foreign.first_count(&link));
@@ -244,7 +253,7 @@ fn finish_link<P: Policy>(
     line: &FeatureLine,
 ) {
     let known = foreign.first_count(link);
-    if !walker.question.hidden_wanted && known.is_some_and(|first| link.stays_hidden(first)) {
+    if walker.leaves_early && known.is_some_and(|first| link.stays_hidden(first)) {
         walker.left_early += 1;
         return;
     }

@@ -30,6 +30,7 @@
 
 mod carry;
 mod count;
+mod culling;
 mod events;
 mod linked;
 mod sweep;
@@ -38,6 +39,7 @@ mod walker;
 use crate::kernel::predicates::Policy;
 use crate::run::{Cancelled, Counters, Run, map_chunks};
 use crate::view::{ExactLines, LineQuestion};
+pub use culling::Culling;
 use linked::linked_lines;
 use std::ops::Range;
 use walker::Walker;
@@ -85,6 +87,26 @@ impl Fault {
 pub struct AppelOptions {
     /// A mistake to make.
     pub fault: Option<Fault>,
+    /// What need not be looked at. The answer is the same whatever is skipped.
+    pub skips: Skips,
+}
+
+/// Shortcuts of [`appel`]. None changes the answer; they can be turned off to
+/// measure what they buy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Skips {
+    /// Lines behind what is certainly covered.
+    pub culling: Culling,
+    /// Whether a line is left as soon as it is known to be hidden all along.
+    pub early: bool,
+    /// Whether counts are carried from line to line where that can be done.
+    pub carry: bool,
+}
+
+impl Default for Skips {
+    fn default() -> Self {
+        Skips { culling: Culling::default(), early: true, carry: true }
+    }
 }
 
 /// How many of `lines` one task walks: so many that bookkeeping is little,
@@ -106,8 +128,12 @@ pub fn appel<P: Policy>(
     let count = question.lines.len();
     run.stage("appel", count as u64, || {
         let effective = question.effective_crossings();
-        let walker = || Walker::<P>::new(question, &effective, options);
-        match question.contacts.filter(|_| question.piercings.is_some()) {
+        // A mistake shall show.
+        let culling = if options.fault.is_some() { Culling::Never } else { options.skips.culling };
+        let covered = culling::occlusion_map(question, culling);
+        run.check()?;
+        let walker = || Walker::<P>::new(question, &effective, covered.as_ref(), options);
+        match question.contacts.filter(|_| options.skips.carry && question.piercings.is_some()) {
             Some(contacts) => linked_lines(question, &contacts, walker, run),
             None => gather(run, count, |part| {
                 run.check()?;
@@ -115,7 +141,7 @@ pub fn appel<P: Policy>(
                 let mut answer = ExactLines::default();
                 let lines = part.len() as u64;
                 for line in part {
-                    walker.walk(&question.lines[line]);
+                    walker.walk_unless_covered(&question.lines[line]);
                     answer.push_line(walker.pieces());
                 }
                 run.hold(walker.events_held())?;

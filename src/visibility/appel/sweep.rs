@@ -35,12 +35,16 @@ impl<P: Policy> Walker<'_, P> {
         let mut from = Place::Start;
         for group in events.chunk_by(|a, b| order(a, b) == Ordering::Equal) {
             let before = sum.invisibility();
+            // Of cuts in one place one is named, in whatever order they
+            // were found.
+            let mut cut = group[0].cut;
             for event in group {
                 sum.left += event.change.left;
                 sum.right += event.change.right;
+                cut = cut.min(event.cut);
             }
             if sum.invisibility() != before {
-                let to = Place::Cut(group[0].cut);
+                let to = Place::Cut(cut);
                 push(&mut self.pieces, self.question.hidden_wanted, from, to, before);
                 from = to;
             }

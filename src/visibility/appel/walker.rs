@@ -2,12 +2,12 @@
 
 use super::count::FromVertex;
 use super::events::Event;
-use super::{AppelOptions, Fault};
+use super::{AppelOptions, Fault, culling};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Crossings, Nearby, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, Nearby, OcclusionMap, SegmentProbe};
 use crate::view::{ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
@@ -69,6 +69,10 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Walker<'q, P: Policy> {
     pub(super) question: &'q LineQuestion<'q>,
     pub(super) effective: &'q Crossings,
+    /// What is certainly covered, where that was worth finding.
+    covered: Option<&'q OcclusionMap>,
+    /// Whether lines are left as soon as they are known to be hidden.
+    pub(super) leaves_early: bool,
     /// The effective edges that matter now.
     pub(super) nearby: Nearby,
     pub(super) predicates: Predicates<'q, P>,
@@ -85,17 +89,21 @@ pub(super) struct Walker<'q, P: Policy> {
     pub(super) from_vertex: FromVertex,
     pub(super) vertices_counted: u64,
     pub(super) left_early: u64,
+    lines_covered: u64,
 }
 
 impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn new(
         question: &'q LineQuestion<'q>,
         effective: &'q Crossings,
+        covered: Option<&'q OcclusionMap>,
         options: &AppelOptions,
     ) -> Self {
         Walker {
             question,
             effective,
+            covered,
+            leaves_early: options.skips.early && !question.hidden_wanted,
             nearby: Nearby::EVERYTHING,
             predicates: Predicates::new(question.points),
             fault: options.fault,
@@ -109,6 +117,7 @@ impl<'q, P: Policy> Walker<'q, P> {
             from_vertex: FromVertex::default(),
             vertices_counted: 0,
             left_early: 0,
+            lines_covered: 0,
         }
     }
 
@@ -131,7 +140,24 @@ impl<'q, P: Policy> Walker<'q, P> {
         counters.add("first-counts", self.counted);
         counters.add("vertices-counted", self.vertices_counted);
         counters.add("lines-left-early", self.left_early);
+        counters.add("lines-covered", self.lines_covered);
         counters
+    }
+
+    /// Whether a line lies wholly behind what is certainly covered.
+    pub(super) fn is_covered(&mut self, line: &FeatureLine) -> bool {
+        let covered = self.covered.is_some_and(|map| culling::hides(map, self.question, line));
+        self.lines_covered += u64::from(covered);
+        covered
+    }
+
+    /// Finds the pieces of one line, if it is not known to have none.
+    pub(super) fn walk_unless_covered(&mut self, line: &FeatureLine) {
+        if self.is_covered(line) {
+            self.pieces.clear();
+        } else {
+            self.walk(line);
+        }
     }
 
     /// Finds the pieces of one line, counting afresh at its start.
@@ -154,7 +180,7 @@ impl<'q, P: Policy> Walker<'q, P> {
 
     /// Makes pieces of a walk's events and its first count.
     pub(super) fn finish(&mut self, walk: &Walk, first: Sides) {
-        if !self.question.hidden_wanted && self.stays_hidden(first) {
+        if self.leaves_early && self.stays_hidden(first) {
             self.left_early += 1;
             return;
         }

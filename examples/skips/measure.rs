@@ -1,0 +1,151 @@
+//! Drawing with and without a shortcut.
+
+use super::{Outcome, Scene};
+use std::time::Instant;
+use umriss::kernel::predicates::{Exact, Policy, Unfiltered};
+use umriss::model::{FeatureOptions, LineClass, LineOrigin};
+use umriss::run::Run;
+use umriss::view::{ExactPiece, PreparedView};
+use umriss::visibility::{AppelOptions, Culling, Skips, appel};
+
+/// A shortcut that is not taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Skipped {
+    Culling,
+    Early,
+    Carry,
+    Filter,
+    FeaturesOnly,
+    NoInterpenetration,
+}
+
+impl Skipped {
+    pub(crate) const ALL: [Skipped; 6] = [
+        Skipped::Culling,
+        Skipped::Early,
+        Skipped::Carry,
+        Skipped::Filter,
+        Skipped::FeaturesOnly,
+        Skipped::NoInterpenetration,
+    ];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Skipped::Culling => "culling",
+            Skipped::Early => "early",
+            Skipped::Carry => "carry",
+            Skipped::Filter => "filter",
+            Skipped::FeaturesOnly => "features only",
+            Skipped::NoInterpenetration => "no interpenetration",
+        }
+    }
+
+    /// The classes that are drawn with the shortcut, and without.
+    fn classes(self) -> [Vec<LineClass>; 2] {
+        let all_but = |left_out: &[LineClass]| {
+            LineClass::ALL.into_iter().filter(|class| !left_out.contains(class)).collect()
+        };
+        let features = || all_but(&[LineClass::Mesh, LineClass::Intersection]);
+        let edges = || all_but(&[LineClass::Intersection]);
+        match self {
+            Skipped::FeaturesOnly => [features(), edges()],
+            Skipped::NoInterpenetration => [features(), all_but(&[LineClass::Mesh])],
+            _ => [edges(), edges()],
+        }
+    }
+
+    fn skips(self) -> Skips {
+        let all = Skips::default();
+        match self {
+            Skipped::Culling => Skips { culling: Culling::Never, ..all },
+            Skipped::Early => Skips { early: false, ..all },
+            Skipped::Carry => Skips { carry: false, ..all },
+            Skipped::Filter | Skipped::FeaturesOnly | Skipped::NoInterpenetration => all,
+        }
+    }
+}
+
+/// The pieces of lines, by what the lines are.
+type Answer = Vec<(LineOrigin, Vec<ExactPiece>)>;
+
+/// Milliseconds from the mesh to exact pieces, and what they are.
+fn drawn<P: Policy>(scene: &Scene, classes: &[LineClass], skips: Skips) -> Outcome<(f64, Answer)> {
+    let options = FeatureOptions::default().with_classes(classes);
+    let run = Run::default();
+    let start = Instant::now();
+    let prepared = PreparedView::new::<P>(&scene.mesh, &scene.view, &options, &run)?;
+    let question = prepared.question(false);
+    let appel_options = AppelOptions { skips, ..AppelOptions::default() };
+    let found = appel::<P>(&question, &appel_options, &run)?;
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    let pieces = |(index, line): (usize, &umriss::model::FeatureLine)| {
+        (line.origin, found.line(index).to_vec())
+    };
+    Ok((time, question.lines.iter().enumerate().map(pieces).collect()))
+}
+
+/// What was measured of a scene.
+pub(crate) struct Found {
+    /// All edges.
+    pub(crate) lines: usize,
+    /// Milliseconds for all edges with all shortcuts.
+    pub(crate) time: f64,
+    /// How many times longer it takes without each shortcut.
+    pub(crate) factors: Vec<f64>,
+}
+
+/// Draws a scene with and without each shortcut in turn.
+pub(crate) fn measure(scene: &Scene, rounds: usize) -> Outcome<Found> {
+    let mut found = Found { lines: 0, time: 0.0, factors: Vec::new() };
+    for skipped in Skipped::ALL {
+        let [with, without] = skipped.classes();
+        let mut ratios = Vec::new();
+        let mut times = Vec::new();
+        for _ in 0..rounds {
+            let (time, answer) = drawn::<Exact>(scene, &with, Skips::default())?;
+            let (longer, same) = match skipped {
+                Skipped::Filter => drawn::<Unfiltered>(scene, &without, Skips::default())?,
+                _ => drawn::<Exact>(scene, &without, skipped.skips())?,
+            };
+            if !agree(&answer, &same) {
+                return Err(
+                    format!("{}: {} changes the drawing", scene.name, skipped.name()).into()
+                );
+            }
+            if skipped == Skipped::Culling {
+                found.lines = answer.len();
+            }
+            times.push(time);
+            ratios.push(longer / time);
+        }
+        if skipped == Skipped::Culling {
+            found.time = median(&mut times);
+        }
+        found.factors.push(median(&mut ratios));
+    }
+    Ok(found)
+}
+
+/// Whether lines that are in both answers have the same pieces. The lesser
+/// answer's lines are among those of the other, in the same order.
+fn agree(lesser: &Answer, greater: &Answer) -> bool {
+    let mut others = greater.iter();
+    lesser.iter().all(|own| others.find(|other| other.0 == own.0).is_some_and(|other| other == own))
+}
+
+/// Milliseconds for two scenes, all edges, measured in turn.
+pub(crate) fn median_times(scenes: [&Scene; 2], rounds: usize) -> Outcome<[f64; 2]> {
+    let [edges, _] = Skipped::Culling.classes();
+    let mut times = [Vec::new(), Vec::new()];
+    for _ in 0..rounds {
+        for (scene, times) in scenes.into_iter().zip(&mut times) {
+            times.push(drawn::<Exact>(scene, &edges, Skips::default())?.0);
+        }
+    }
+    Ok(times.map(|mut times| median(&mut times)))
+}
+
+fn median(list: &mut [f64]) -> f64 {
+    list.sort_unstable_by(f64::total_cmp);
+    list[list.len() / 2]
+}

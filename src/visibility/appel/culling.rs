@@ -1,0 +1,185 @@
+//! Lines that are hidden all along, found before they are walked.
+//!
+//! Where only visible pieces are wanted and many layers lie behind one
+//! another, most lines lie wholly behind some layer that is near the eye. An
+//! occlusion map of all triangles knows many of them from two numbers for
+//! each tile that a line may touch; the others are walked as ever. What is
+//! left out has no visible piece, so the answer is the same.
+//!
+//! The map costs time and pays where triangles cover one another often, so
+//! it is made where a sample of them says so.
+//!
+//! Source: see [`crate::spatial::OcclusionMap`].
+
+use crate::model::{FeatureLine, LineOrigin};
+use crate::run::{map_chunks, map_indexed};
+use crate::spatial::{Grid, OcclusionMap, Placed, cover};
+use crate::view::LineQuestion;
+use glam::DVec2;
+use std::ops::Range;
+
+/// When lines are culled that lie behind covered tiles.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Culling {
+    /// Where it is likely to pay.
+    #[default]
+    WhereItPays,
+    /// Always, for tests: the answer is the same.
+    Always,
+    /// Never, to measure what it buys.
+    Never,
+}
+
+/// So many tiles has a triangle of average size.
+const TILES_OF_A_TRIANGLE: f64 = 64.0;
+
+/// The largest number of tiles.
+const MOST_TILES: usize = 1 << 22;
+
+/// A map pays from so many lines on,
+const LEAST_LINES: usize = 4096;
+
+/// from so many lines in a hundred triangles on,
+const LEAST_SHARE: usize = 4;
+
+/// and where so many triangles lie over one another on average.
+const LEAST_LAYERS: f64 = 6.0;
+
+/// So many vertices and triangles tell how large the image is and how often
+/// it is covered.
+const SAMPLE: usize = 4096;
+
+/// The map of the question's triangles, if one is to be made.
+pub(super) fn occlusion_map(question: &LineQuestion<'_>, culling: Culling) -> Option<OcclusionMap> {
+    let triangles = question.mesh.triangles().len();
+    let few = || {
+        let lines = question.lines.len();
+        lines < LEAST_LINES || lines < triangles / 100 * LEAST_SHARE
+    };
+    let pays = culling == Culling::Always;
+    if question.hidden_wanted || culling == Culling::Never || !pays && few() {
+        return None;
+    }
+    let (low, high) = middle_of_image(question)?;
+    let layers = layers(question, low, high);
+    if !pays && layers < LEAST_LAYERS {
+        return None;
+    }
+    let area = (high - low).element_product();
+    let tile = area * layers / (triangles as f64 * TILES_OF_A_TRIANGLE);
+    let grid = Grid::new(low, high, tile.sqrt(), MOST_TILES)?;
+    Some(map_of(question, grid))
+}
+
+/// Fills the tiles of a grid, by bands of rows.
+fn map_of(question: &LineQuestion<'_>, grid: Grid) -> OcclusionMap {
+    let rows_of = map_indexed(question.mesh.triangles().len(), |triangle| {
+        corners(question, triangle).map_or(0..0, |corners| grid.rows_inside(&corners))
+    });
+    let band = grid.rows().div_ceil(BANDS).max(1);
+    let bands = map_chunks(grid.rows(), band, |rows| {
+        let mut depths = grid.uncovered(rows.len());
+        let meets = |own: &Range<u16>| {
+            usize::from(own.start) < rows.end && rows.start < usize::from(own.end)
+        };
+        let meeting = (0..rows_of.len()).filter(|&triangle| meets(&rows_of[triangle]));
+        for corners in meeting.filter_map(|triangle| corners(question, triangle)) {
+            cover(&grid, rows.clone(), &mut depths, &corners);
+        }
+        depths
+    });
+    OcclusionMap::of_bands(grid, bands)
+}
+
+/// Bands into which a grid is cut, whatever the number of cores.
+const BANDS: usize = 16;
+
+/// The corners of a triangle that may hide something, unless one of them has
+/// no place in the image.
+fn corners(question: &LineQuestion<'_>, triangle: usize) -> Option<[Placed; 3]> {
+    if question.facing[triangle].is_zero() {
+        return None;
+    }
+    let [a, b, c] = question.mesh.triangles()[triangle];
+    let placed = |vertex| question.coordinates.placed(vertex);
+    Some([placed(a)?, placed(b)?, placed(c)?])
+}
+
+/// A rectangle around most of the scene: a few vertices far away shall not
+/// make all tiles large.
+fn middle_of_image(question: &LineQuestion<'_>) -> Option<(DVec2, DVec2)> {
+    let vertices = question.mesh.vertices().len();
+    let places: Vec<DVec2> = sample(vertices)
+        .filter_map(|vertex| question.coordinates.placed(vertex as u32))
+        .map(|placed| placed.at.truncate())
+        .collect();
+    if places.is_empty() {
+        return None;
+    }
+    let range = |axis: usize| {
+        let mut along: Vec<f64> = places.iter().map(|place| place[axis]).collect();
+        along.sort_unstable_by(f64::total_cmp);
+        let [least, most] = [along[0], along[along.len() - 1]];
+        let aside = along.len() / 50;
+        let [low, high] = [along[aside], along[along.len() - 1 - aside]];
+        let more = (high - low) * 0.125;
+        [least.max(low - more), most.min(high + more)]
+    };
+    let [x, y] = [range(0), range(1)];
+    Some((DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1])))
+}
+
+/// About how many triangles lie over a point of the rectangle.
+fn layers(question: &LineQuestion<'_>, low: DVec2, high: DVec2) -> f64 {
+    let triangles = question.mesh.triangles().len();
+    let area = |triangle: usize| {
+        let Some([a, b, c]) = corners(question, triangle) else {
+            return 0.0;
+        };
+        let [a, b, c] = [a, b, c].map(|corner| corner.at.truncate().clamp(low, high));
+        (b - a).perp_dot(c - a).abs() / 2.0
+    };
+    let (count, sum) = sample(triangles)
+        .fold((0.0, 0.0), |(count, sum), triangle| (count + 1.0, sum + area(triangle)));
+    sum / count * triangles as f64 / (high - low).element_product()
+}
+
+/// Numbers below `count`, spread evenly and without a period that a grid might
+/// have too (steps of the golden ratio).
+fn sample(count: usize) -> impl Iterator<Item = usize> {
+    const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
+    (0..count.min(SAMPLE) as u64).map(move |i| {
+        let fraction = u128::from((i + 1).wrapping_mul(STEP));
+        ((fraction * count as u128) >> 64) as usize
+    })
+}
+
+/// Whether a line is hidden all along.
+pub(super) fn hides(map: &OcclusionMap, question: &LineQuestion<'_>, line: &FeatureLine) -> bool {
+    let placed = |vertex| question.coordinates.placed(vertex);
+    let segment = |[a, b]: [u32; 2]| match (placed(a), placed(b)) {
+        (Some(a), Some(b)) => map.hides_segment([a, b]),
+        _ => false,
+    };
+    match line.origin {
+        LineOrigin::Edge(edge) => segment(question.mesh.edges().ends(edge)),
+        LineOrigin::Loose(index) => segment(question.mesh.loose_lines()[index as usize]),
+        LineOrigin::Intersection(index) => {
+            let triangles = question.intersections[index as usize].triangles;
+            hides_common(map, question, triangles)
+        }
+    }
+}
+
+/// Whether all that two triangles have in common is hidden.
+fn hides_common(map: &OcclusionMap, question: &LineQuestion<'_>, triangles: [u32; 2]) -> bool {
+    let triangle = |number: u32| {
+        let [a, b, c] = question.mesh.triangles()[number as usize];
+        let placed = |vertex| question.coordinates.placed(vertex);
+        Some([placed(a)?, placed(b)?, placed(c)?])
+    };
+    let (Some(s), Some(t)) = (triangle(triangles[0]), triangle(triangles[1])) else {
+        return false;
+    };
+    map.hides_common(&s, &t)
+}
