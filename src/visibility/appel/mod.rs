@@ -36,8 +36,8 @@ mod sweep;
 mod walker;
 
 use crate::kernel::predicates::Policy;
-use crate::run::{Cancelled, Counters, Run, map_chunks};
-use crate::view::{ExactLines, LineQuestion};
+use crate::run::{Cancelled, Counters, Growing, Run, map_chunks};
+use crate::view::{ExactLines, ExactPiece, LineQuestion};
 use linked::linked_lines;
 use std::ops::Range;
 use walker::Walker;
@@ -97,7 +97,7 @@ fn part_of(lines: usize) -> usize {
 ///
 /// # Errors
 ///
-/// If the run is cancelled.
+/// If the run is cancelled or reaches a limit.
 pub fn appel<P: Policy>(
     question: &LineQuestion<'_>,
     options: &AppelOptions,
@@ -113,17 +113,26 @@ pub fn appel<P: Policy>(
                 run.check()?;
                 let mut walker = walker();
                 let mut answer = ExactLines::default();
-                let lines = part.len() as u64;
+                let (mut met, mut made) = (Growing::new(run, 0).of_crossings(), pieces_of(run));
                 for line in part {
+                    run.advance(1);
+                    if !met.goes_on(walker.events_held()) || !made.goes_on(answer.piece_count()) {
+                        break;
+                    }
                     walker.walk(&question.lines[line]);
                     answer.push_line(walker.pieces());
                 }
-                run.hold(walker.events_held())?;
-                run.advance(lines);
+                met.finish(walker.events_held())?;
+                made.finish(answer.piece_count())?;
                 Ok((answer, walker.counters()))
             }),
         }
     })
+}
+
+/// The pieces of one part: they are copied once, when the parts are joined.
+fn pieces_of<'r>(run: &'r Run<'r>) -> Growing<'r> {
+    Growing::new(run, 2 * size_of::<ExactPiece>())
 }
 
 /// Works on the lines in parts and joins the answers.
