@@ -1,9 +1,14 @@
 //! What can be wrong with the wishes for a page.
 
+use crate::run::Cancelled;
+
 /// A drawing cannot be laid out, or a wish for it cannot be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
+    /// The run was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// Not a length.
     #[error("`{0}` is no length; expected a number with mm, cm or in, as in 10mm")]
     Length(String),

@@ -16,7 +16,7 @@ use super::{
     SurfaceOptions,
 };
 use crate::model::Color;
-use crate::run::map_indexed;
+use crate::run::{Run, map_indexed};
 use crate::view::{Crossing, ImageRegions, LineClass, VisibleLines};
 use glam::DVec2;
 use std::borrow::Cow;
@@ -147,6 +147,21 @@ impl Drawing {
         styles: &Styles,
         surfaces: &SurfaceOptions,
     ) -> Result<Self, DrawingError> {
+        Self::of_within(content, options, styles, surfaces, &Run::default())
+    }
+
+    /// As [`Drawing::of`], asking a run whether to go on.
+    ///
+    /// # Errors
+    ///
+    /// As [`Drawing::of`]; and if the run is cancelled.
+    pub fn of_within(
+        content: &Content<'_>,
+        options: &DrawingOptions,
+        styles: &Styles,
+        surfaces: &SurfaceOptions,
+        run: &Run<'_>,
+    ) -> Result<Self, DrawingError> {
         let Content { lines, crossings, regions } = *content;
         let regions = &*crop_regions(lines, regions, options)?;
         let weights = options.weight.map(|weight| Weights::new(lines, &weight));
@@ -164,7 +179,7 @@ impl Drawing {
         let radius = 0.5 * options.halo.millimetres() / placement.scale;
         if 0.0 < radius && !crossings.is_empty() {
             let seen: Vec<bool> = lines.pieces.iter().map(|piece| layering.draws(piece)).collect();
-            let interrupted = interrupt(lines, crossings, &seen, radius);
+            let interrupted = interrupt(lines, crossings, &seen, radius, run)?;
             drawn = Cow::Owned(crop(&interrupted, options)?.into_owned());
             plans = layering.plan(&drawn);
         }
@@ -173,13 +188,16 @@ impl Drawing {
             plans = layering.plan(&drawn);
         }
         let lines = &*drawn;
+        run.check()?;
         let solid = map_indexed(plans.len(), |i| join(lines, &plans[i], &placement, options));
         let solid = match (options.fit.millimetres(), options.simplify.millimetres()) {
             (0.0, 0.0) => solid,
             (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
             (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
         };
+        run.check()?;
         let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i]));
+        run.check()?;
         let light = Light::new(&lines.frame, surfaces);
         let place = |point| placement.apply(point);
         let mut hatched = Vec::new();

@@ -41,7 +41,7 @@ pub fn read_styles(text: &str) -> Result<Styles, DrawingError> {
             word: name,
             expected: "contour, boundary, non-manifold, crease, intersection, line or mesh",
         })?;
-        Ok((class, rule.rule()?))
+        Ok::<_, DrawingError>((class, rule.rule()?))
     };
     let hidden: Result<_, _> = table.hidden.iter().map(LineText::rule).collect();
     let classes: Result<_, _> = table.class.into_iter().map(class).collect();

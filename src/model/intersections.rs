@@ -18,7 +18,7 @@
 use super::{Fans, Mesh, ViewCoordinates};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Piercing, Point, Points, Policy, Predicates};
-use crate::run::Run;
+use crate::run::{Cancelled, Growing, Run, sort_by};
 use crate::spatial::Hierarchy;
 use std::cmp::Ordering;
 
@@ -74,36 +74,50 @@ impl Intersections {
     /// Searches all pairs of triangles with overlapping boxes. `hierarchy`
     /// holds boxes of the mesh's triangles; pairs at one of the `fans` need
     /// no test. Expected O(n + pairs).
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled or the crossings are more than it may hold.
     pub fn find<P: Policy>(
         mesh: &Mesh,
         points: &Points,
         hierarchy: &Hierarchy,
         fans: Option<&Fans>,
         run: &Run,
-    ) -> Self {
+    ) -> Result<Self, Cancelled> {
         let parts = hierarchy.overlapping_pairs(
-            || Search::<P>::new(mesh, points, fans),
+            run,
+            || Search::<P>::new(mesh, points, fans, run),
             |search, s, t| search.add_pair([s.min(t), s.max(t)]),
         );
         let mut intersections = Intersections::default();
         let mut tested = 0;
-        for part in parts {
+        // Parts are copied into one list each, and only then freed.
+        let lines: usize = parts.iter().map(|part| part.lines.len()).sum();
+        let piercings: usize = parts.iter().map(|part| part.piercings.len()).sum();
+        run.take((lines * LINE_BYTES) as u64)?;
+        intersections.lines.reserve_exact(lines);
+        intersections.piercings.pairs.reserve_exact(piercings);
+        for mut part in parts {
+            part.account_for_all()?;
             run.merge(&part.predicates.counters());
             intersections.lines.extend(part.lines);
             intersections.piercings.pairs.extend(part.piercings);
             intersections.touching.extend(part.touching);
             tested += part.tested;
         }
-        intersections.lines.sort_unstable_by_key(|line| (line.triangles, line.carrier.ends));
+        // What is equal is the same.
+        let key = |line: &IntersectionLine| (line.triangles, line.carrier.ends);
+        sort_by(&mut intersections.lines, |a, b| key(a).cmp(&key(b)));
         intersections.lines.dedup();
-        intersections.piercings.pairs.sort_unstable();
+        sort_by(&mut intersections.piercings.pairs, Ord::cmp);
         intersections.piercings.pairs.dedup();
         intersections.touching.sort_unstable();
         intersections.touching.dedup();
         run.count("triangle-pairs-tested", tested);
         run.count("intersection-segments", intersections.lines.len() as u64);
         run.count("edge-piercings", intersections.piercings.len() as u64);
-        intersections
+        Ok(intersections)
     }
 }
 
@@ -116,7 +130,12 @@ struct Search<'p, P: Policy> {
     piercings: Vec<[u32; 2]>,
     touching: Vec<u32>,
     tested: u64,
+    growing: Growing<'p>,
 }
+
+/// What one crossing takes: a segment and its two piercings, in lists that may
+/// have room for twice as many.
+const LINE_BYTES: usize = size_of::<IntersectionLine>() + 2 * size_of::<[u32; 2]>();
 
 /// View boxes of all triangles of a mesh, in a hierarchy.
 pub fn triangle_hierarchy(mesh: &Mesh, coordinates: &ViewCoordinates) -> Hierarchy {
@@ -211,7 +230,7 @@ impl Side {
 }
 
 impl<'p, P: Policy> Search<'p, P> {
-    fn new(mesh: &'p Mesh, points: &'p Points, fans: Option<&'p Fans>) -> Self {
+    fn new(mesh: &'p Mesh, points: &'p Points, fans: Option<&'p Fans>, run: &'p Run<'p>) -> Self {
         Search {
             mesh,
             predicates: Predicates::new(points),
@@ -220,11 +239,24 @@ impl<'p, P: Policy> Search<'p, P> {
             piercings: Vec::new(),
             touching: Vec::new(),
             tested: 0,
+            growing: Growing::new(run, LINE_BYTES).of_crossings(),
         }
+    }
+
+    /// Crossings and piercings so far.
+    fn held(&self) -> usize {
+        self.lines.len() + self.piercings.len()
+    }
+
+    fn account_for_all(&mut self) -> Result<(), Cancelled> {
+        self.growing.finish(self.held())
     }
 
     /// Adds what two triangles with overlapping boxes make.
     fn add_pair(&mut self, pair: [u32; 2]) {
+        if !self.growing.goes_on(self.held()) {
+            return;
+        }
         let triangles = self.mesh.triangles();
         let (s, t) = (triangles[pair[0] as usize], triangles[pair[1] as usize]);
         let mut shared = 0;

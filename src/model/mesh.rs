@@ -9,7 +9,7 @@ use super::adjacency::edges_of;
 use super::faces::{Triangles, triangles_of};
 use super::weld::{merge_close, weld};
 use super::{Color, Edges, Soup};
-use crate::run::{map_chunks, map_indexed};
+use crate::run::{Cancelled, Run, map_chunks, map_indexed};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -56,6 +56,9 @@ pub enum MeshError {
     /// Numbers are 32 bits wide.
     #[error("the model has {0} {1}: expected at most 1431655765")]
     TooLarge(usize, &'static str),
+    /// The run was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// All objects of a scene.
@@ -86,10 +89,27 @@ impl Mesh {
     /// # Errors
     ///
     /// If there is nothing to draw, or more than 32-bit numbers can name.
-    pub fn new(mut soups: Vec<Soup>, tolerance: Option<f64>) -> Result<Self, MeshError> {
+    pub fn new(soups: Vec<Soup>, tolerance: Option<f64>) -> Result<Self, MeshError> {
+        Self::within(soups, tolerance, &Run::default())
+    }
+
+    /// As [`Mesh::new`], asking a run whether to go on, between steps that are
+    /// linear each, and whether there is memory enough.
+    ///
+    /// # Errors
+    ///
+    /// As [`Mesh::new`]; and if the run is cancelled or reaches a limit.
+    pub fn within(
+        mut soups: Vec<Soup>,
+        tolerance: Option<f64>,
+        run: &Run<'_>,
+    ) -> Result<Self, MeshError> {
+        run.take(soups.iter().map(bytes_of_mesh).sum())?;
         let mut report = MeshReport::default();
         let (positions, first_vertex) = take_positions(&mut soups, tolerance, &mut report)?;
+        run.check()?;
         let welded = weld(&positions, &first_vertex);
+        run.check()?;
         report.welded_vertices = positions.len() - welded.first_old.len();
         let mut vertices = vec![DVec3::ZERO; welded.first_old.len()];
         // Adding 0 turns -0 into 0, so that equal positions have equal bits.
@@ -97,10 +117,13 @@ impl Mesh {
             positions[welded.first_old[i] as usize] + DVec3::ZERO
         });
         drop(positions);
+        run.check()?;
         let vertex_numbers = file_numbers(&soups, &first_vertex, &welded.first_old);
         let mut triangles =
             triangles_of(&soups, &first_vertex, &welded.new_of_old, &vertices, &mut report);
+        run.check()?;
         let mut edges = edges_of(&triangles.corners, vertices.len());
+        run.check()?;
         if !triangles.polygonal && drop_duplicates(&mut triangles, &edges, &mut report) {
             edges = edges_of(&triangles.corners, vertices.len());
         }
@@ -316,6 +339,12 @@ impl Mesh {
         .into_iter()
         .fold(empty, join)
     }
+}
+
+/// What the arrays of a mesh take for a soup: positions, numbers and their
+/// table; triangles, faces, and three halves of an edge for each.
+fn bytes_of_mesh(soup: &Soup) -> u64 {
+    (soup.vertices.len() * 40 + soup.faces.len() * 48 + soup.lines.len() * 8) as u64
 }
 
 /// Moves all positions into one array; returns it with the first vertex of

@@ -32,5 +32,5 @@ pub use mesh::{Mesh, MeshError, MeshReport, Object};
 pub use scene::{Scene, SceneOptions};
 pub use soup::{Color, Faces, Placement, Soup, Unit, UpAxis};
 pub use standard_views::StandardView;
-pub use topology::{TJunction, Topology, interpenetrations};
+pub use topology::{TJunction, Topology, TopologyError, interpenetrations};
 pub use view_coordinates::ViewCoordinates;

@@ -1,6 +1,7 @@
 //! A scene: the objects of all files in one mesh, and what their numbers mean.
 
 use super::{Mesh, MeshError, Soup, Unit, UpAxis};
+use crate::run::Run;
 use glam::DVec3;
 
 /// How files become a scene.
@@ -28,7 +29,20 @@ impl Scene {
     ///
     /// If there is nothing to draw or too much to number.
     pub fn new(soups: Vec<Soup>, options: &SceneOptions) -> Result<Self, MeshError> {
-        Ok(Scene { mesh: Mesh::new(soups, options.weld)?, unit: options.unit })
+        Self::within(soups, options, &Run::default())
+    }
+
+    /// As [`Scene::new`], within the limits of a run.
+    ///
+    /// # Errors
+    ///
+    /// As [`Scene::new`]; and if the run is cancelled or reaches a limit.
+    pub fn within(
+        soups: Vec<Soup>,
+        options: &SceneOptions,
+        run: &Run<'_>,
+    ) -> Result<Self, MeshError> {
+        Ok(Scene { mesh: Mesh::within(soups, options.weld, run)?, unit: options.unit })
     }
 }
 

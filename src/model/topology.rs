@@ -19,7 +19,7 @@ use super::{
     triangle_hierarchy,
 };
 use crate::kernel::predicates::{Exact, Eye, Points, Predicates, are_collinear};
-use crate::run::{Run, map_chunks};
+use crate::run::{Cancelled, Run, map_chunks};
 use crate::spatial::{Bounds, Hierarchy, Rounding};
 use glam::DVec3;
 
@@ -30,6 +30,17 @@ pub struct TJunction {
     pub vertex: u32,
     /// The boundary edge in whose inside it lies.
     pub edge: u32,
+}
+
+/// Why pairs of faces could not be found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TopologyError {
+    /// There is no view of the coordinates.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// The run was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// The surface that a mesh is.
@@ -60,11 +71,19 @@ const PART: usize = 1 << 12;
 impl Topology {
     /// Looks at all edges of a mesh; `options` say what fold is a crease.
     /// Expected O(n log n).
-    pub fn of(mesh: &Mesh, options: &FeatureOptions, run: &Run<'_>) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled.
+    pub fn of(mesh: &Mesh, options: &FeatureOptions, run: &Run<'_>) -> Result<Self, Cancelled> {
         let points = Points::new(mesh.vertices(), Eye::Towards(DVec3::Z), None);
         let parts = map_chunks(mesh.edges().len(), PART, |part| {
             let predicates = Predicates::<Exact>::new(&points);
             let mut counted = Topology::default();
+            if run.is_stopped() {
+                return (counted, predicates.counters());
+            }
+            run.advance(part.len() as u64);
             for edge in part {
                 counted.add_edge(mesh, &predicates, options, edge as u32);
             }
@@ -75,9 +94,11 @@ impl Topology {
             topology.add(&counted);
             run.merge(&counters);
         }
+        run.check()?;
         topology.components = count_components(mesh);
-        topology.t_junctions = find_t_junctions(mesh);
-        topology
+        topology.t_junctions = find_t_junctions(mesh, run);
+        run.check()?;
+        Ok(topology)
     }
 
     /// Whether every edge has an even number of triangles, so that there is
@@ -129,8 +150,9 @@ impl Topology {
 ///
 /// # Errors
 ///
-/// If the coordinates are too large to be seen from above.
-pub fn interpenetrations(mesh: &Mesh, run: &Run<'_>) -> Result<Vec<[u32; 2]>, CameraError> {
+/// If the coordinates are too large to be seen from above; if the run is
+/// cancelled or the pairs are more than it may hold.
+pub fn interpenetrations(mesh: &Mesh, run: &Run<'_>) -> Result<Vec<[u32; 2]>, TopologyError> {
     let (low, high) = mesh.bounds();
     // Whether faces cross does not depend on the eye; boxes are wanted in
     // some view, and the first is as good as any.
@@ -138,11 +160,12 @@ pub fn interpenetrations(mesh: &Mesh, run: &Run<'_>) -> Result<Vec<[u32; 2]>, Ca
     let points = Points::new(mesh.vertices(), view.eye, view.near);
     let coordinates = ViewCoordinates::new(&view.frame, mesh.vertices());
     let hierarchy = triangle_hierarchy(mesh, &coordinates);
-    let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, None, run);
+    let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, None, run)?;
     let faces = |[s, t]: [u32; 2]| {
         let [f, g] = [mesh.face_of(s), mesh.face_of(t)];
         [f.min(g), f.max(g)]
     };
+    run.take((found.lines.len() * size_of::<[u32; 2]>()) as u64)?;
     let mut pairs: Vec<_> = found.lines.iter().map(|line| faces(line.triangles)).collect();
     pairs.sort_unstable();
     pairs.dedup();
@@ -177,7 +200,7 @@ fn root(parents: &mut [u32], mut item: u32) -> u32 {
     item
 }
 
-fn find_t_junctions(mesh: &Mesh) -> Vec<TJunction> {
+fn find_t_junctions(mesh: &Mesh, run: &Run<'_>) -> Vec<TJunction> {
     let all = 0..mesh.edges().len() as u32;
     let border: Vec<u32> = all.filter(|&e| mesh.edges().triangles(e).len() == 1).collect();
     let mut vertices: Vec<u32> = border.iter().flat_map(|&e| mesh.edges().ends(e)).collect();
@@ -190,6 +213,9 @@ fn find_t_junctions(mesh: &Mesh) -> Vec<TJunction> {
     let parts = map_chunks(vertices.len(), PART, |part| {
         let mut found = Vec::new();
         for &vertex in &vertices[part] {
+            if run.is_stopped() {
+                break;
+            }
             let place = boxes.around(&[vertex]);
             hierarchy.visit(
                 |group| group.overlapping(&place),

@@ -13,7 +13,7 @@
 
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Policy, Predicates};
-use crate::run::{Cancelled, Run};
+use crate::run::{Cancelled, Growing, Run};
 use crate::spatial::{Bounds, Hierarchy};
 use crate::view::LineQuestion;
 use std::cmp::Reverse;
@@ -93,20 +93,28 @@ fn pairs<P: Policy>(
         Bounds { low, high }
     };
     let place = |i: usize| question.coordinates.place(triangles[i][0]);
+    // A pair is held in three lists, one after the other.
+    let growing = || Growing::new(run, 3 * size_of::<[u32; 2]>());
     let found = Hierarchy::of(triangles.len(), place, flat).overlapping_pairs(
-        || (Predicates::<P>::new(question.points), Vec::new(), None),
-        |(predicates, list, wrong), a, b| {
+        run,
+        || (Predicates::<P>::new(question.points), Vec::new(), None, growing()),
+        |(predicates, list, wrong, growing), a, b| {
+            // One pair that has no order is enough.
+            if wrong.is_some() || !growing.goes_on(list.len()) {
+                return;
+            }
             let pair = [a.min(b), a.max(b)];
             match nearer(question, predicates, pair) {
                 Some(Nearer::First) => list.push(pair),
                 Some(Nearer::Second) => list.push([pair[1], pair[0]]),
-                Some(Nearer::Both) => *wrong = (*wrong).or(Some(pair)),
+                Some(Nearer::Both) => *wrong = Some(pair),
                 None => {}
             }
         },
     );
     let mut sorted = [Vec::new(), Vec::new()];
-    for (predicates, list, wrong) in found {
+    for (predicates, list, wrong, mut growing) in found {
+        growing.finish(list.len())?;
         run.merge(&predicates.counters());
         if let Some([a, b]) = wrong {
             return Err(OrderError::Crossing(a, b));

@@ -48,6 +48,7 @@ pub fn ray_cast<P: Policy>(
             let predicates = Predicates::<P>::new(sampled.points());
             let units = part.len() as u64;
             let hits: Vec<_> = part
+                .take_while(|_| !run.is_stopped())
                 .map(|i| {
                     let sample = sampled.vertex([i as u32 % width, i as u32 / width]);
                     let mut area = coordinates.bounds([sample]);
@@ -55,6 +56,7 @@ pub fn ray_cast<P: Policy>(
                     caster.nearest(&predicates, sample, &area)
                 })
                 .collect();
+            run.check()?;
             run.merge(&predicates.counters());
             run.count("rays-cast", units);
             run.advance(units);

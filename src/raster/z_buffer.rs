@@ -41,7 +41,10 @@ pub fn z_buffer<P: Policy>(
         let bands = map_chunks(height, BAND, |rows| {
             run.check()?;
             let mut band = Band::new(Judge::<P>::new(&sampled), samples.width(), &rows);
-            faces.iter().for_each(|face| band.draw(face));
+            for face in &faces {
+                run.check()?;
+                band.draw(face);
+            }
             run.merge(&band.judge.counters());
             run.advance(rows.len() as u64);
             Ok(band.items())

@@ -6,9 +6,11 @@
 //! stops.
 
 mod counters;
+mod limits;
 mod parallel;
 mod progress;
 
 pub use counters::{Counters, StageTime};
+pub use limits::{Cancelled, Growing, Limits};
 pub use parallel::{concat_map, fill_indexed, map_chunks, map_indexed, map_small, sort_by};
-pub use progress::{Cancelled, Limits, Progress, Run, Silent};
+pub use progress::{Progress, Run, Silent};

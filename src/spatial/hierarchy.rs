@@ -11,7 +11,7 @@
 
 use super::Bounds;
 use super::group::{Group, SIZE, places};
-use crate::run::{map_indexed, map_small};
+use crate::run::{Run, map_indexed, map_small};
 use glam::Vec3A;
 use std::cell::Cell;
 
@@ -137,9 +137,12 @@ impl Hierarchy {
 
     /// All pairs of items with overlapping boxes, each pair once, handed to
     /// `found` in groups: `start` begins the result of a group. Results come
-    /// in an order that depends on the boxes alone.
+    /// in an order that depends on the boxes alone. Asks the run every few
+    /// thousand pairs, and tells it of every item that is done; once it is
+    /// stopped, pairs are left out.
     pub fn overlapping_pairs<T: Send>(
         &self,
+        run: &Run<'_>,
         start: impl Fn() -> T + Sync + Send,
         found: impl Fn(&mut T, u32, u32) + Sync + Send,
     ) -> Vec<T> {
@@ -152,14 +155,21 @@ impl Hierarchy {
         let level = if few { top } else { (0..=top).rev().find(wide).unwrap_or(0) };
         map_indexed(self.levels[level].len(), |group| {
             let mut result = start();
-            self.pairs_within(level, group, &mut |a, b| found(&mut result, a, b));
+            if run.is_stopped() {
+                return result;
+            }
+            self.pairs_within(level, group, run, &mut |a, b| found(&mut result, a, b));
             if level < top {
                 let own = self.levels[level + 1][group / SIZE].get(group % SIZE);
                 self.later_groups(top, 0, level, group, &own, &mut |other, bounds| {
                     let pair = [(group, &own), (other, bounds)];
-                    self.pairs_between(level, pair, &mut |a, b| found(&mut result, a, b));
+                    let mut found = |a, b| found(&mut result, a, b);
+                    self.pairs_between(level, pair, run, &mut found);
+                    run.advance(0);
                 });
             }
+            let per_group = SIZE.pow(level as u32 + 1);
+            run.advance(per_group.min(self.items.len() - group * per_group) as u64);
             result
         })
     }
@@ -191,12 +201,18 @@ impl Hierarchy {
         }
     }
 
-    fn pairs_within(&self, level: usize, group: usize, found: &mut impl FnMut(u32, u32)) {
+    fn pairs_within(
+        &self,
+        level: usize,
+        group: usize,
+        run: &Run<'_>,
+        found: &mut impl FnMut(u32, u32),
+    ) {
         let boxes = &self.levels[level][group];
         let first = group * SIZE;
         for a in places(self.taken(level, group)) {
             if level > 0 {
-                self.pairs_within(level - 1, first + a, found);
+                self.pairs_within(level - 1, first + a, run, found);
             }
             let own = boxes.get(a);
             let later = u8::MAX.checked_shl(a as u32 + 1).unwrap_or(0);
@@ -205,7 +221,7 @@ impl Hierarchy {
                     found(self.items[first + a], self.items[first + b]);
                 } else {
                     let pair = [(first + a, &own), (first + b, &boxes.get(b))];
-                    self.pairs_between(level - 1, pair, found);
+                    self.pairs_between(level - 1, pair, run, found);
                 }
             }
         }
@@ -216,8 +232,14 @@ impl Hierarchy {
         &self,
         level: usize,
         [(a, around_a), (b, around_b)]: [(usize, &Bounds); 2],
+        run: &Run<'_>,
         found: &mut impl FnMut(u32, u32),
     ) {
+        // Below two groups of the level of items there are 64 pairs, below
+        // two of the next 4096: few enough to be done in any case.
+        if level > 0 && run.is_stopped() {
+            return;
+        }
         let (boxes_a, boxes_b) = (&self.levels[level][a], &self.levels[level][b]);
         // Only boxes that reach into the other group are compared.
         let reaching = boxes_b.overlapping(around_a);
@@ -232,7 +254,7 @@ impl Hierarchy {
                     found(self.items[x], self.items[place]);
                 } else {
                     let pair = [(x, &own), (place, &boxes_b.get(y))];
-                    self.pairs_between(level - 1, pair, found);
+                    self.pairs_between(level - 1, pair, run, found);
                 }
             }
         }
@@ -321,9 +343,18 @@ mod tests {
         }
 
         #[test]
+        fn a_stop_leaves_pairs_out(boxes in boxes(2000)) {
+            let hierarchy = Hierarchy::new(&boxes);
+            let flag = true.into();
+            let run = Run::default().with_cancel(&flag);
+            let groups = hierarchy.overlapping_pairs(&run, || 0, |count, _, _| *count += 1);
+            prop_assert_eq!(groups.into_iter().sum::<usize>(), 0);
+        }
+
+        #[test]
         fn pairs_are_those_of_brute_force(boxes in boxes(700)) {
             let hierarchy = Hierarchy::new(&boxes);
-            let groups = hierarchy.overlapping_pairs(Vec::new, |list, a, b| list.push([a.min(b), a.max(b)]));
+            let groups = hierarchy.overlapping_pairs(&Run::default(), Vec::new, |list, a, b| list.push([a.min(b), a.max(b)]));
             let mut found = groups.concat();
             found.sort_unstable();
             let mut expected = Vec::new();

@@ -73,6 +73,11 @@ impl Grid {
         self.rows
     }
 
+    /// The number of tiles.
+    pub fn tiles(&self) -> usize {
+        self.rows * self.columns
+    }
+
     /// The depths of a number of rows before anything covers them.
     pub fn uncovered(&self, rows: usize) -> Vec<f64> {
         vec![f64::INFINITY; rows * self.columns]

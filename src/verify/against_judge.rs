@@ -30,6 +30,7 @@ pub(super) fn compare<P: Policy>(
         let places = Places::<P>::new(question);
         let mut report = Report::default();
         for i in part {
+            run.check()?;
             let line = lines[i] as usize;
             compare_line(&places, line, judged.line(i), answer.line(line), &mut report);
         }

@@ -112,7 +112,6 @@ pub fn verify<P: Policy>(
     let parts = run.stage("verify", count as u64, || {
         map_chunks(count, PART, |part| {
             run.check()?;
-            let units = part.len() as u64;
             let worker = Worker {
                 question,
                 places: Places::<P>::new(question),
@@ -121,10 +120,11 @@ pub fn verify<P: Policy>(
             };
             let mut report = Report::default();
             for line in part {
+                run.check()?;
+                run.advance(1);
                 worker.line(line, answer.line(line), &mut report);
             }
             run.merge(&worker.counter.counters());
-            run.advance(units);
             Ok(report)
         })
     });

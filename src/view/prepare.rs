@@ -6,14 +6,22 @@ use super::{Contacts, LineQuestion, ObjectWish};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
 use crate::model::{
-    Fans, FeatureLine, FeatureOptions, Features, Intersections, LineClass, LineOrigin, Mesh, View,
-    ViewCoordinates, facing, triangle_hierarchy,
+    EffectiveEdge, Fans, FeatureLine, FeatureOptions, Features, Intersections, LineClass,
+    LineOrigin, Mesh, View, ViewCoordinates, facing, triangle_hierarchy,
 };
 use crate::run::{Cancelled, Run};
 use crate::spatial::Hierarchy;
 
 /// One line in this many edges makes it worth finding all piercings.
 const MANY_LINES: usize = 8;
+
+/// What a view takes beside its mesh: places and boxes of vertices and of
+/// triangles.
+fn bytes_of_view(mesh: &Mesh) -> u64 {
+    let vertices = mesh.vertices().len() * (size_of::<[f64; 3]>() + size_of::<[f32; 8]>());
+    let triangles = mesh.triangles().len() * (size_of::<[f32; 6]>() + 2 * size_of::<u32>());
+    (vertices + triangles) as u64
+}
 
 /// A mesh as one eye sees it.
 #[derive(Debug, Clone)]
@@ -34,7 +42,7 @@ impl<'m> PreparedView<'m> {
     ///
     /// # Errors
     ///
-    /// If the run is cancelled.
+    /// If the run is cancelled or reaches a limit.
     pub fn new<P: Policy>(
         mesh: &'m Mesh,
         view: &View,
@@ -49,7 +57,7 @@ impl<'m> PreparedView<'m> {
     ///
     /// # Errors
     ///
-    /// If the run is cancelled.
+    /// If the run is cancelled or reaches a limit.
     pub fn with_wishes<P: Policy>(
         mesh: &'m Mesh,
         view: &View,
@@ -57,6 +65,7 @@ impl<'m> PreparedView<'m> {
         run: &Run,
     ) -> Result<Self, Cancelled> {
         let triangles = mesh.triangles().len() as u64;
+        run.take(bytes_of_view(mesh))?;
         let (points, coordinates) = run.stage("coordinates", triangles, || {
             (
                 Points::new(mesh.vertices(), view.eye, view.near),
@@ -77,18 +86,22 @@ impl<'m> PreparedView<'m> {
         // asking for each line.
         let many = features.lines.len() > mesh.edges().len() / MANY_LINES;
         let wanted = wishes.iter().any(|wish| wish.features.wants(LineClass::Intersection));
-        let intersections = (wanted || many).then(|| {
-            let fans = run.stage("fans", triangles, || {
-                Fans::find(mesh, &coordinates, &facing, &features.effective)
-            });
-            let found = run.stage("intersections", triangles, || {
-                Intersections::find::<P>(mesh, &points, &hierarchy, Some(&fans), run)
-            });
-            (fans, found)
-        });
-        if let Some((_, found)) = &intersections {
-            run.hold((found.lines.len() + found.piercings.len()) as u64)?;
-        }
+        let intersections = match wanted || many {
+            false => None,
+            true => {
+                let fans = run.stage("fans", triangles, || {
+                    Fans::find(mesh, &coordinates, &facing, &features.effective)
+                });
+                run.check()?;
+                let found = run.stage("intersections", triangles, || {
+                    Intersections::find::<P>(mesh, &points, &hierarchy, Some(&fans), run)
+                })?;
+                Some((fans, found))
+            }
+        };
+        let made = features.lines.len() * size_of::<FeatureLine>()
+            + features.effective.len() * size_of::<EffectiveEdge>();
+        run.take(made as u64)?;
         if wanted && let Some((_, found)) = &intersections {
             let all = 0..found.lines.len() as u32;
             features.lines.extend(all.map(|index| FeatureLine {

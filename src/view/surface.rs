@@ -33,12 +33,16 @@ pub struct PreparedSurface<'s> {
     hierarchy: Hierarchy,
 }
 
+/// What a point takes: itself and its number, its place and its box, two lines
+/// in mesh and question.
+const POINT_BYTES: usize = 24 + 4 + 24 + 32 + 2 * (8 + size_of::<FeatureLine>());
+
 impl<'s> PreparedSurface<'s> {
     /// Scales the coordinates and numbers the lines. O(n).
     ///
     /// # Errors
     ///
-    /// If nothing is to be drawn.
+    /// If nothing is to be drawn, or the run reaches a limit.
     pub fn new(
         name: &str,
         surface: &'s Surface,
@@ -46,6 +50,7 @@ impl<'s> PreparedSurface<'s> {
         options: &CurveOptions,
         run: &Run<'_>,
     ) -> Result<Self, MeshError> {
+        run.take((surface.heights().values().len() * POINT_BYTES) as u64)?;
         let curves = Curves::new(surface, options);
         let mesh = surface.mesh_of_curves(name, &curves)?;
         let vertices = mesh.vertices();

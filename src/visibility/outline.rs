@@ -56,16 +56,16 @@ pub fn outlined<P: Policy>(
         let effective = question.effective_crossings();
         map_chunks(answer.len(), PART, |part| {
             run.check()?;
-            let units = part.len() as u64;
             let predicates = Predicates::<P>::new(question.points);
             let mut seeker = Seeker { question, effective: &effective, of, predicates, crossed: 0 };
             let mut lines = ExactLines::default();
             for line in part {
+                run.check()?;
+                run.advance(1);
                 lines.push_line(seeker.line(&question.lines[line], answer.line(line)));
             }
             run.merge(&seeker.counters());
             run.hold(seeker.crossed)?;
-            run.advance(units);
             Ok(lines)
         })
     });

@@ -65,16 +65,16 @@ pub fn roberts<P: Policy>(
         let grid = ImageGrid::new(question);
         map_chunks(count, PART, |part| {
             run.check()?;
-            let units = part.len() as u64;
             let mut judge = Judge::<P>::new(question, &grid);
             let mut lines = ExactLines::default();
             for i in part {
+                run.check()?;
+                run.advance(1);
                 let line = selection.map_or(i, |list| list[i] as usize);
                 lines.push_line(judge.line(line));
             }
             run.merge(&judge.predicates.counters());
             run.merge(&judge.counters);
-            run.advance(units);
             Ok(lines)
         })
     });

@@ -1,6 +1,7 @@
 //! `umriss clip`: Boolean operations on polygons.
 
 use crate::failure::Failure;
+use crate::interrupt::writing;
 use crate::outputs::print;
 use crate::session::RunFlags;
 use clap::Args;
@@ -67,15 +68,16 @@ impl Clip {
                 files.map(|(file, format)| self.read(file, format)).collect::<Result<Vec<_>, _>>()
             })?;
             let shapes: Vec<&PlaneShape> = shapes.iter().collect();
-            let result =
-                run.stage("clipping", count, || PlaneShape::operation(self.operation, &shapes));
+            let operation = || PlaneShape::operation_within(self.operation, &shapes, run);
+            let result = run.stage("clipping", count, operation);
+            run.check()?;
             let rounded = run.stage("rounding", 1, || result?.rounded());
             Ok(format.write(&rounded.map_err(ExportError::from)?)?)
         })?;
         if is_standard(&self.output) {
             return print(text.as_bytes());
         }
-        Ok(write_file(&self.output, text.as_bytes())?)
+        writing(|| write_file(&self.output, text.as_bytes()))
     }
 
     fn read(&self, file: &Path, format: ShapeFormat) -> Result<PlaneShape, Failure> {

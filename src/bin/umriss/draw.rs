@@ -150,9 +150,9 @@ impl Draw {
         let crossings = notes.crossings.as_deref().unwrap_or_default();
         let content = Content { lines: &lines, crossings, regions: &regions };
         let surfaces = self.surfaces.options();
-        let page = || Drawing::of(&content, &options, &styles, &surfaces);
+        let page = || Drawing::of_within(&content, &options, &styles, &surfaces, run);
         let mut drawing = run.stage("page", pieces, page)?;
-        self.pen.apply(&mut drawing, self.effort(), plotter, &self.session, run);
+        self.pen.apply(&mut drawing, self.effort(), plotter, &self.session, run)?;
         Ok(Computed { lines, notes, drawing })
     }
 

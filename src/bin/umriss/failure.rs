@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 use umriss::drawing::DrawingError;
 use umriss::export::ExportError;
-use umriss::model::CameraError;
 use umriss::model::import::ImportError;
 use umriss::model::surface::SurfaceError;
+use umriss::model::{CameraError, MeshError, TopologyError};
 use umriss::run::Cancelled;
 use umriss::visibility::{HorizonError, PainterError, RegionsError};
 
@@ -18,11 +18,20 @@ pub(crate) enum Failure {
     Clap(Box<clap::Error>),
     /// The command line makes sense, but the work failed.
     Failed(String),
+    /// A signal stopped the program.
+    Interrupted,
     /// Whoever read standard output has had enough: no failure of ours.
     ReaderGone,
 }
 
+/// The exit code of a program that a signal stopped: 128 and the number of
+/// SIGINT, as shells have it.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 impl Failure {
+    /// What is said then.
+    pub(crate) const INTERRUPTION: &str = "interrupted before the work was done";
+
     /// A command line that makes no sense.
     pub(crate) fn usage(message: impl Into<String>) -> Self {
         Failure::Usage(message.into())
@@ -40,15 +49,17 @@ impl Failure {
                 Some(format!("umriss: {message}"))
             }
             Failure::Clap(error) => Some(from_clap(error)),
+            Failure::Interrupted => Some(format!("umriss: {}", Failure::INTERRUPTION)),
             Failure::ReaderGone => None,
         }
     }
 
-    /// 1 for failures, 2 for usage.
+    /// 1 for failures, 2 for usage, 130 for signals.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Failure::ReaderGone => ExitCode::SUCCESS,
             Failure::Failed(_) => ExitCode::from(1),
+            Failure::Interrupted => ExitCode::from(INTERRUPTED),
             Failure::Usage(_) | Failure::Clap(_) => ExitCode::from(2),
         }
     }
@@ -72,7 +83,19 @@ impl From<clap::Error> for Failure {
 
 impl From<ImportError> for Failure {
     fn from(error: ImportError) -> Self {
-        Failure::Failed(error.to_string())
+        match error {
+            ImportError::Cancelled(error) => Failure::from(error),
+            _ => Failure::Failed(error.to_string()),
+        }
+    }
+}
+
+impl From<MeshError> for Failure {
+    fn from(error: MeshError) -> Self {
+        match error {
+            MeshError::Cancelled(error) => Failure::from(error),
+            _ => Failure::Failed(error.to_string()),
+        }
     }
 }
 
@@ -82,15 +105,31 @@ impl From<ExportError> for Failure {
     }
 }
 
+/// A limit says which it was, what was being made, and what to do.
 impl From<Cancelled> for Failure {
     fn from(error: Cancelled) -> Self {
-        Failure::Failed(error.to_string())
+        match error {
+            Cancelled::Asked => Failure::Interrupted,
+            Cancelled::TooManyCrossings { limit, stage } => Failure::Failed(format!(
+                "{stage}: more than {limit} crossings, the limit of --max-crossings; expected a \
+                 model of which less passes through or behind one another, or a higher limit"
+            )),
+            Cancelled::TooMuchMemory { limit, wanted, stage } => Failure::Failed(format!(
+                "{stage}: {} MiB of memory wanted, the limit of --max-memory is {} MiB; expected a \
+                 smaller model, or a higher limit",
+                wanted.div_ceil(1 << 20),
+                limit >> 20
+            )),
+        }
     }
 }
 
 impl From<RegionsError> for Failure {
     fn from(error: RegionsError) -> Self {
-        Failure::Failed(error.to_string())
+        match error {
+            RegionsError::Cancelled(error) => Failure::from(error),
+            _ => Failure::Failed(error.to_string()),
+        }
     }
 }
 
@@ -119,6 +158,15 @@ impl From<SurfaceError> for Failure {
     }
 }
 
+impl From<TopologyError> for Failure {
+    fn from(error: TopologyError) -> Self {
+        match error {
+            TopologyError::Camera(error) => Failure::from(error),
+            TopologyError::Cancelled(error) => Failure::from(error),
+        }
+    }
+}
+
 impl From<CameraError> for Failure {
     fn from(error: CameraError) -> Self {
         Failure::Usage(error.to_string())
@@ -129,6 +177,7 @@ impl From<CameraError> for Failure {
 impl From<DrawingError> for Failure {
     fn from(error: DrawingError) -> Self {
         match error {
+            DrawingError::Cancelled(error) => Failure::from(error),
             DrawingError::NotFinite => Failure::Failed(error.to_string()),
             _ => Failure::Usage(error.to_string()),
         }

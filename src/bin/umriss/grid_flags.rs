@@ -8,6 +8,7 @@ use std::io::{Read, stdin};
 use std::path::Path;
 use umriss::model::import::{HeightFormat, read_heights, read_heights_bytes};
 use umriss::model::surface::{CurveOptions, Heights, Surface, SurfaceError};
+use umriss::run::Run;
 
 /// Points along an axis, unless a number is given.
 const POINTS: usize = 100;
@@ -92,6 +93,7 @@ impl GridFlags {
         &self,
         source: &str,
         session: &RunFlags,
+        run: &Run<'_>,
     ) -> Result<(Surface, String), Failure> {
         let (heights, name, file) = match self.file(source) {
             Some(heights) => {
@@ -99,7 +101,7 @@ impl GridFlags {
                 let name = stem.map_or("stdin".into(), |stem| stem.to_string_lossy().into_owned());
                 (heights?, if source == "-" { "stdin".to_owned() } else { name }, Some(source))
             }
-            None => (self.expression(source)?, source.to_owned(), None),
+            None => (self.expression(source, run)?, source.to_owned(), None),
         };
         let place = |error: SurfaceError| match (file, &error) {
             (Some(file), SurfaceError::Missing { .. } | SurfaceError::NothingLeft) => {
@@ -169,8 +171,11 @@ impl GridFlags {
         Ok(heights.moved(xs, zs)?)
     }
 
-    fn expression(&self, text: &str) -> Result<Heights, Failure> {
+    fn expression(&self, text: &str, run: &Run<'_>) -> Result<Heights, Failure> {
         let count = |number: Option<u32>| number.map_or(POINTS, |number| number as usize);
+        // Heights that are kept, and the list that they are collected in.
+        let points = count(self.nx).saturating_mul(count(self.nz)) as u64;
+        run.take(points.saturating_mul(16))?;
         let xs = Heights::steps('x', self.x.unwrap_or(RANGE), count(self.nx))?;
         let zs = Heights::steps('z', self.z.unwrap_or(RANGE), count(self.nz))?;
         Ok(Heights::of_expression(text, xs, zs)?)

@@ -110,7 +110,7 @@ impl Facts {
         let mesh = &scene.mesh;
         let triangles = mesh.triangles().len();
         let work = triangles as u64;
-        let topology = run.stage("topology", work, || Topology::of(mesh, options, run));
+        let topology = run.stage("topology", work, || Topology::of(mesh, options, run))?;
         let crossing = run.stage("interpenetrations", work, || interpenetrations(mesh, run))?;
         let (low, high) = mesh.bounds();
         let report = mesh.report();

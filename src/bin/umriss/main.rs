@@ -3,14 +3,14 @@
 //! One file per command; what commands share stands beside them: flags
 //! ([`grid_flags`], [`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
 //! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`], [`surface_flags`]), reading
-//! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`]).
+//! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`], [`limit_flags`]).
 //! Only the public interface of the library is used, and no geometry is done
 //! here.
 //!
 //! Nothing is printed but what was asked for: results go to standard output
 //! or into files, everything else to standard error, one line each. The exit
 //! code is 0 if all went well, 1 if something failed, 2 if the command line
-//! makes no sense.
+//! makes no sense, 130 if a signal stopped the program ([`interrupt`]).
 
 mod camera_file;
 mod camera_flags;
@@ -21,6 +21,8 @@ mod failure;
 mod finish;
 mod grid_flags;
 mod info;
+mod interrupt;
+mod limit_flags;
 mod line_flags;
 mod model_flags;
 mod models;
@@ -72,6 +74,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    interrupt::listen();
     let outcome = match Cli::try_parse() {
         Ok(cli) => match cli.command {
             Command::Clip(clip) => clip.run(),

@@ -7,8 +7,8 @@ use serde::Deserialize;
 use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
 use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
-use umriss::model::import::{Imported, read_bytes, read_file};
-use umriss::model::{Scene, SceneOptions, Soup, Unit};
+use umriss::model::import::{Imported, read_bytes_within, read_file_within};
+use umriss::model::{MeshError, Scene, SceneOptions, Soup, Unit};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
 
@@ -145,7 +145,7 @@ fn scene_of(
     let mut soups = Vec::new();
     run.stage("reading", sources.len() as u64, || {
         for source in sources {
-            let imported = import(source, flags)?;
+            let imported = import(source, flags, run)?;
             for warning in &imported.warnings {
                 session.note(&format!("{}: {warning}", source.name()));
             }
@@ -157,8 +157,9 @@ fn scene_of(
     })?;
     select(&mut soups)?;
     let options = SceneOptions { weld: flags.weld, unit: unit.unwrap_or_default() };
-    let made = run.stage("mesh", soups.len() as u64, || Scene::new(soups, &options));
+    let made = run.stage("mesh", soups.len() as u64, || Scene::within(soups, &options, run));
     let scene = made.map_err(|error| match sources {
+        _ if matches!(error, MeshError::Cancelled(_)) => Failure::from(error),
         [source] => Failure::failed(format!("{}: {error}", source.name())),
         _ => Failure::failed(error.to_string()),
     })?;
@@ -169,10 +170,10 @@ fn scene_of(
     Ok(scene)
 }
 
-fn import(source: &Source<'_>, flags: &ModelFlags) -> Result<Imported, Failure> {
+fn import(source: &Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {
     let imported = match source.path {
-        Some(path) => read_file(path, flags.input_format),
-        None => read_bytes(STANDARD_INPUT, &source.bytes, flags.input_format),
+        Some(path) => read_file_within(path, flags.input_format, run),
+        None => read_bytes_within(STANDARD_INPUT, &source.bytes, flags.input_format, run),
     };
     Ok(imported?)
 }

@@ -4,6 +4,7 @@
 //! whatever cannot be drawn leaves nothing behind.
 
 use crate::failure::Failure;
+use crate::interrupt::writing;
 use crate::plotter_flags::Plotter;
 use clap::Args;
 use std::io::{ErrorKind, Write, stdout};
@@ -97,7 +98,7 @@ impl Outputs<'_> {
         }
         for (output, bytes) in self.outputs.iter().zip(&rendered) {
             match output.path {
-                Some(path) => write_file(path, bytes)?,
+                Some(path) => writing(|| write_file(path, bytes))?,
                 None => print(bytes)?,
             }
         }

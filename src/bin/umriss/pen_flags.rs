@@ -1,5 +1,6 @@
 //! Flags that say how a pen goes about its drawing.
 
+use crate::failure::Failure;
 use crate::plotter_flags::Plotter;
 use crate::session::RunFlags;
 use clap::Args;
@@ -42,7 +43,7 @@ impl PenFlags {
         plotter: &Plotter,
         session: &RunFlags,
         run: &Run<'_>,
-    ) {
+    ) -> Result<(), Failure> {
         if let Some(width) = self.pen_width {
             drawing.broaden(width.millimetres());
         }
@@ -51,8 +52,9 @@ impl PenFlags {
             session.note("--order with a time depends on the machine: another run may differ");
         }
         let strokes = drawing.layers.iter().map(|layer| layer.strokes.len() as u64).sum();
-        run.stage("pen order", strokes, || drawing.order(effort));
+        run.stage("pen order", strokes, || drawing.order_within(effort, run))?;
         count(&PenStatistics::of(drawing), plotter, run);
+        Ok(())
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::camera_flags::CameraFlags;
 use crate::failure::Failure;
 use crate::finish::FinishFlags;
+use crate::interrupt::writing;
 use crate::model_flags::ModelFlags;
 use crate::models::read_scene;
 use crate::outputs::print;
@@ -16,8 +17,9 @@ use umriss::fill::{Canvas, Pattern};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Color, FeatureOptions, View};
 use umriss::raster::{
-    ABufferOptions, Compare, Method, Samples, Shading, Show, Subdivision, c_buffer, coverage,
-    front_to_back, methods, preview, span_buffer_with, visible_fragments, warnock_windows,
+    ABufferOptions, Compare, Method, OrderError, Samples, Shading, Show, Subdivision, c_buffer,
+    coverage, front_to_back, methods, preview, span_buffer_with, visible_fragments,
+    warnock_windows,
 };
 use umriss::run::Run;
 use umriss::view::{LineQuestion, PreparedView};
@@ -134,7 +136,7 @@ impl Raster {
         if self.output == Path::new("-") {
             return print(&bytes);
         }
-        Ok(write_file(&self.output, &bytes)?)
+        writing(|| write_file(&self.output, &bytes))
     }
 
     fn render(&self, is_svg: bool, run: &Run<'_>) -> Result<Vec<u8>, Failure> {
@@ -164,9 +166,11 @@ impl Raster {
         };
         let buffer = match self.method {
             (_, Chosen::CBuffer) => {
-                let order = front_to_back::<Exact>(&question, run).map_err(|error| {
-                    Failure::failed(format!("c-buffer: {error}, expected another method"))
-                })?;
+                let order =
+                    front_to_back::<Exact>(&question, run).map_err(|error| match error {
+                        OrderError::Cancelled(error) => Failure::from(error),
+                        _ => Failure::failed(format!("c-buffer: {error}, expected another method")),
+                    })?;
                 c_buffer::<Exact>(&view, &question, &samples, &order, run)?
             }
             (_, Chosen::Table(method)) => match self.compare {

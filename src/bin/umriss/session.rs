@@ -1,6 +1,9 @@
-//! What every command shares: threads, the progress bar, statistics, notes.
+//! What every command shares: threads, the progress bar, limits, statistics,
+//! notes.
 
 use crate::failure::Failure;
+use crate::interrupt::flag;
+use crate::limit_flags::LimitFlags;
 use crate::progress::Bar;
 use clap::Args;
 use std::fmt::Write as _;
@@ -20,6 +23,8 @@ pub(crate) struct RunFlags {
     /// Print counters and the time of every stage to standard error
     #[arg(long)]
     stats: bool,
+    #[command(flatten)]
+    limits: LimitFlags,
 }
 
 impl RunFlags {
@@ -31,7 +36,7 @@ impl RunFlags {
         self.start_threads()?;
         let bar = if self.quiet { None } else { Bar::on_terminal() };
         let progress: &dyn Progress = bar.as_ref().map_or(&Silent, |bar| bar);
-        let run = Run::new(progress);
+        let run = Run::new(progress).with_cancel(flag()).with_limits(self.limits.limits());
         let result = work(&run)?;
         let statistics = self.stats.then(|| statistics(&run));
         drop(run);

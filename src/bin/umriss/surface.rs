@@ -19,7 +19,7 @@ use umriss::drawing::{
 use umriss::export::DrawingNotes;
 use umriss::kernel::predicates::Exact;
 use umriss::model::surface::{Curves, Surface};
-use umriss::model::{FeatureOptions, LineClass, Mesh, View};
+use umriss::model::{FeatureOptions, LineClass, Mesh, MeshError, View};
 use umriss::run::Run;
 use umriss::view::{
     Crossing, ExactLines, ImageRegions, LineQuestion, PreparedSurface, PreparedView, VisibleLines,
@@ -107,7 +107,7 @@ impl SurfaceCommand {
         let hidden = options.hidden != Hidden::None;
         self.check(&options, &styles)?;
         let (surface, name) =
-            run.stage("heights", 1, || self.grid.surface(&self.source, &self.session))?;
+            run.stage("heights", 1, || self.grid.surface(&self.source, &self.session, run))?;
         let view = self.camera.camera()?.view(surface.bounds())?;
         let (lines, crossings) = match self.method {
             Method::Horizon => self.by_horizon(&surface, &name, &view, hidden, run)?,
@@ -119,9 +119,10 @@ impl SurfaceCommand {
         let crossings = notes.crossings.as_deref().unwrap_or_default();
         let regions = ImageRegions::default();
         let content = Content { lines: &lines, crossings, regions: &regions };
-        let page = || Drawing::of(&content, &options, &styles, &SurfaceOptions::default());
+        let surfaces = SurfaceOptions::default();
+        let page = || Drawing::of_within(&content, &options, &styles, &surfaces, run);
         let mut drawing = run.stage("page", lines.pieces.len() as u64, page)?;
-        self.pen.apply(&mut drawing, self.effort(), plotter, &self.session, run);
+        self.pen.apply(&mut drawing, self.effort(), plotter, &self.session, run)?;
         Ok(Computed { lines, notes, drawing })
     }
 
@@ -148,7 +149,10 @@ impl SurfaceCommand {
         run: &Run<'_>,
     ) -> Result<Found, Failure> {
         let prepared = PreparedSurface::new(name, surface, view, &self.grid.curves(), run)
-            .map_err(|_| Failure::usage(NO_CURVES))?;
+            .map_err(|error| match error {
+                MeshError::Cancelled(error) => Failure::from(error),
+                _ => Failure::usage(NO_CURVES),
+            })?;
         let question = prepared.question(hidden);
         let answer = floating_horizon::<Exact>(&question, run)?;
         self.reduced(&question.lines, &answer, run)
@@ -166,8 +170,7 @@ impl SurfaceCommand {
         let curves = Curves::new(surface, &self.grid.curves());
         let soup = surface.soup(name, &curves);
         let points = soup.vertices.len() as u64;
-        let mesh = run.stage("mesh", points, || Mesh::new(vec![soup], None));
-        let mesh = mesh.map_err(|error| Failure::failed(error.to_string()))?;
+        let mesh = run.stage("mesh", points, || Mesh::within(vec![soup], None, run))?;
         let options = FeatureOptions::default().with_classes(&[LineClass::Line]);
         let prepared = PreparedView::new::<Exact>(&mesh, view, &options, run)?;
         let question = prepared.question(hidden);

@@ -150,7 +150,7 @@ impl Verify {
             let segments = segments.chain(regions.differences());
             let segments = segments.chain(images.iter().flat_map(CrossCheck::differences));
             let picture = crate::picture::picture(drawn, segments, scene.unit)?;
-            umriss::export::write_file(file, &picture)?;
+            crate::interrupt::writing(|| umriss::export::write_file(file, &picture))?;
         }
         Ok(Reports { lines, regions, painting, images })
     }

@@ -30,7 +30,7 @@
 mod chains;
 mod stadium;
 
-use crate::run::{concat_map, map_chunks, sort_by};
+use crate::run::{Cancelled, Run, concat_map, map_chunks, sort_by};
 use crate::view::{Crossing, LinePiece, Projection, VisibleLines};
 use chains::Chains;
 use glam::DVec2;
@@ -67,12 +67,13 @@ pub(super) fn interrupt(
     crossings: &[Crossing],
     drawn: &[bool],
     radius: f64,
-) -> VisibleLines {
+    run: &Run<'_>,
+) -> Result<VisibleLines, Cancelled> {
     let chains = Chains::new(&lines.pieces, drawn);
     let halo = Halo { pieces: &lines.pieces, chains, perspective: is_perspective(lines), radius };
     let mut gaps = map_chunks(crossings.len(), PART, |part| {
         let mut gaps = Vec::new();
-        for crossing in &crossings[part] {
+        for crossing in crossings[part].iter().take_while(|_| !run.is_stopped()) {
             if drawn[crossing.near as usize] && drawn[crossing.far as usize] {
                 halo.find(crossing, &mut gaps);
             }
@@ -80,6 +81,7 @@ pub(super) fn interrupt(
         gaps
     })
     .concat();
+    run.check()?;
     // Gaps that are equal in all this are equal.
     sort_by(&mut gaps, |a, b| {
         let by = |end: usize| a.range[end].total_cmp(&b.range[end]);
@@ -96,10 +98,11 @@ pub(super) fn interrupt(
         }
         pieces
     });
+    run.check()?;
     let remains: Vec<&[LinePiece]> = remains.iter().map(Vec::as_slice).collect();
     let pieces = concat_map(&remains, |_, piece| *piece);
     let (objects, counters) = (lines.objects.clone(), lines.counters.clone());
-    VisibleLines { frame: lines.frame, objects, pieces, counters }
+    Ok(VisibleLines { frame: lines.frame, objects, pieces, counters })
 }
 
 fn is_perspective(lines: &VisibleLines) -> bool {

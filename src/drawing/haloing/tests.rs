@@ -36,7 +36,9 @@ fn lines(pieces: Vec<LinePiece>, projection: Projection) -> VisibleLines {
 fn interrupted(pieces: &[LinePiece], crossings: &[[u32; 2]], radius: f64) -> Vec<LinePiece> {
     let lines = lines(pieces.to_vec(), Projection::Orthographic);
     let crossings: Vec<_> = crossings.iter().map(|&[near, far]| Crossing { near, far }).collect();
-    interrupt(&lines, &crossings, &vec![true; pieces.len()], radius).pieces
+    interrupt(&lines, &crossings, &vec![true; pieces.len()], radius, &Run::default())
+        .unwrap()
+        .pieces
 }
 
 fn length(pieces: &[LinePiece]) -> f64 {
@@ -182,7 +184,9 @@ fn depth_is_cut_by_the_perspective() {
     let pieces =
         vec![piece([-0.5, 0.0, 1.0], [0.5, 0.0, 1.0]), piece([0.0, -1.0, 2.0], [0.0, 1.0, 6.0])];
     let lines = lines(pieces, Projection::Perspective);
-    let left = interrupt(&lines, &[Crossing { near: 0, far: 1 }], &[true; 2], 0.1).pieces;
+    let left = interrupt(&lines, &[Crossing { near: 0, far: 1 }], &[true; 2], 0.1, &Run::default())
+        .unwrap()
+        .pieces;
     // Half way in the image the depth is the harmonic mean.
     let depth = |t: f64| 1.0 / ((1.0 - t) / 2.0 + t / 6.0);
     assert!((left[1].depth[1] - depth(0.45)).abs() < 1e-12);
@@ -195,6 +199,12 @@ fn what_is_not_drawn_makes_no_gap() {
         vec![piece([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0]), piece([0.0, -1.0, 2.0], [0.0, 1.0, 2.0])];
     let lines = lines(pieces, Projection::Orthographic);
     let crossing = [Crossing { near: 0, far: 1 }];
-    assert_eq!(interrupt(&lines, &crossing, &[false, true], 0.1).pieces, lines.pieces);
-    assert_eq!(interrupt(&lines, &crossing, &[true; 2], 0.1).pieces.len(), 3);
+    assert_eq!(
+        interrupt(&lines, &crossing, &[false, true], 0.1, &Run::default()).unwrap().pieces,
+        lines.pieces
+    );
+    assert_eq!(
+        interrupt(&lines, &crossing, &[true; 2], 0.1, &Run::default()).unwrap().pieces.len(),
+        3
+    );
 }

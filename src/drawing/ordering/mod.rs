@@ -26,7 +26,7 @@ mod tour;
 mod trails;
 
 use super::{Drawing, Strokes, is_closed};
-use crate::run::map_indexed;
+use crate::run::{Cancelled, Run, map_indexed};
 pub use effort::Effort;
 use glam::DVec2;
 use improve::Improver;
@@ -44,8 +44,18 @@ impl Drawing {
     /// travels little between them. Layers are worked out side by side.
     /// O(n log n) and the effort.
     pub fn order(&mut self, effort: Effort) {
+        // A run that nobody stops has no error.
+        let _ = self.order_within(effort, &Run::default());
+    }
+
+    /// As [`Drawing::order`], asking a run whether to go on.
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled; the order is then as it was.
+    pub fn order_within(&mut self, effort: Effort, run: &Run<'_>) -> Result<(), Cancelled> {
         if effort == Effort::Keep {
-            return;
+            return Ok(());
         }
         let home = DVec2::new(0.0, self.size.y);
         let strokes: usize = self.layers.iter().map(|layer| layer.strokes.len()).sum();
@@ -58,11 +68,13 @@ impl Drawing {
                 Effort::Steps(steps) => Budget::Steps(share(steps)),
                 Effort::Time(time) => Budget::Until(Instant::now() + time, 0),
             };
-            order(own, home, &mut budget)
+            order(own, home, &mut budget, run)
         });
+        run.check()?;
         for (layer, strokes) in self.layers.iter_mut().zip(ordered) {
             layer.strokes = strokes;
         }
+        Ok(())
     }
 }
 
@@ -111,22 +123,37 @@ impl Visit {
     }
 }
 
-fn order(strokes: &Strokes, home: DVec2, budget: &mut Budget) -> Strokes {
+fn order(strokes: &Strokes, home: DVec2, budget: &mut Budget, run: &Run<'_>) -> Strokes {
     let strokes = trails::fewest(strokes);
+    if run.is_stopped() {
+        return strokes;
+    }
     let mut visits = greedy::greedy(&strokes, home);
     if !matches!(budget, Budget::Steps(0)) {
-        visits = improve(&strokes, visits, budget);
+        visits = improve(&strokes, visits, budget, run);
         start_near(&strokes, &mut visits, home);
     }
     drawn_so(&strokes, &visits)
 }
 
 /// Improves the order `visits`.
-fn improve(strokes: &Strokes, mut visits: Vec<Visit>, budget: &mut Budget) -> Vec<Visit> {
+fn improve(
+    strokes: &Strokes,
+    mut visits: Vec<Visit>,
+    budget: &mut Budget,
+    run: &Run<'_>,
+) -> Vec<Visit> {
     let ends: Vec<_> =
         visits.iter().map(|visit| visit.ends(strokes.get(visit.stroke as usize))).collect();
     let mut improver = Improver::new(Tour::new(&ends));
-    let mut more = || budget.step();
+    let mut steps = 0_u64;
+    let mut more = || {
+        steps += 1;
+        if steps.is_multiple_of(STEPS_PER_LOOK) {
+            run.advance(0);
+        }
+        budget.step() && !run.is_stopped()
+    };
     if improver.settle(&mut more) {
         turn_loops(strokes, &mut visits, &mut improver);
         improver.settle(&mut more);

@@ -3,6 +3,7 @@
 //! Readers know positions but not file names: they return a [`Fault`], and
 //! the door of this room puts the name in front of it.
 
+use crate::run::Cancelled;
 use std::io;
 
 use thiserror::Error;
@@ -50,6 +51,9 @@ pub enum ImportError {
         /// What is wrong, what was expected.
         message: String,
     },
+    /// The run was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// A problem and its place, still without the name of the file.

@@ -46,6 +46,7 @@ pub use format::Format;
 pub use heights::{HeightFormat, read_heights, read_heights_bytes};
 
 use super::{Placement, Soup, Unit, UpAxis};
+use crate::run::Run;
 use error::{Fault, Read};
 
 /// What a file held.
@@ -70,13 +71,42 @@ pub struct Imported {
 /// If the file cannot be read, its format is unknown or left out of this
 /// build, or the content is not a sound model of that format.
 pub fn read_file(path: &Path, format: Option<Format>) -> Result<Imported, ImportError> {
+    read_file_within(path, format, &Run::default())
+}
+
+/// As [`read_file`], asking a run whether to go on and how much memory there
+/// is. (The package that reads JSON asks nobody.)
+///
+/// # Errors
+///
+/// As [`read_file`]; and if the run is cancelled or reaches a limit.
+pub fn read_file_within(
+    path: &Path,
+    format: Option<Format>,
+    run: &Run<'_>,
+) -> Result<Imported, ImportError> {
     let name = path.display().to_string();
-    let bytes = match std::fs::read(path) {
-        Ok(bytes) => bytes,
-        Err(source) => return Err(ImportError::Io { file: name, source }),
-    };
-    read(path, &bytes, format, Some(path.parent().unwrap_or(Path::new(""))))
-        .map_err(|fault| fault.named(&name))
+    let io = |source| ImportError::Io { file: name.clone(), source };
+    let size = path.metadata().map_err(io)?.len();
+    run.take(size)?;
+    let bytes = std::fs::read(path).map_err(io)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let outcome = read(path, &bytes, format, Some(folder), run);
+    run.give_back(size);
+    run.check()?;
+    let imported = outcome.map_err(|fault| fault.named(&name))?;
+    run.take(imported.objects.iter().map(bytes_of).sum())?;
+    Ok(imported)
+}
+
+/// What a soup takes.
+fn bytes_of(soup: &Soup) -> u64 {
+    let numbers = soup.vertex_numbers.as_ref().map_or(0, Vec::len);
+    let bytes = soup.vertices.len() * size_of::<glam::DVec3>()
+        + numbers * size_of::<u32>()
+        + soup.faces.len() * size_of::<[u32; 3]>()
+        + soup.lines.len() * size_of::<[u32; 2]>();
+    bytes as u64
 }
 
 /// Reads a file that is already in memory; `name` is for messages and, where
@@ -93,7 +123,26 @@ pub fn read_bytes(
     bytes: &[u8],
     format: Option<Format>,
 ) -> Result<Imported, ImportError> {
-    read(Path::new(name), bytes, format, None).map_err(|fault| fault.named(name))
+    read_bytes_within(name, bytes, format, &Run::default())
+}
+
+/// As [`read_bytes`], asking a run whether to go on and how much memory there
+/// is.
+///
+/// # Errors
+///
+/// As [`read_bytes`]; and if the run is cancelled or reaches a limit.
+pub fn read_bytes_within(
+    name: &str,
+    bytes: &[u8],
+    format: Option<Format>,
+    run: &Run<'_>,
+) -> Result<Imported, ImportError> {
+    let outcome = read(Path::new(name), bytes, format, None, run);
+    run.check()?;
+    let imported = outcome.map_err(|fault| fault.named(name))?;
+    run.take(imported.objects.iter().map(bytes_of).sum())?;
+    Ok(imported)
 }
 
 /// What a reader finds.
@@ -108,6 +157,7 @@ fn read(
     bytes: &[u8],
     format: Option<Format>,
     folder: Option<&Path>,
+    run: &Run<'_>,
 ) -> Read<Imported> {
     if bytes.trim_ascii().is_empty() {
         return Err(Fault::line(1, "the file is empty, expected a model"));
@@ -120,10 +170,10 @@ fn read(
     };
     check_size(bytes, format)?;
     let Found { objects, warnings } = match format {
-        Format::Obj => obj::read(bytes),
-        Format::Stl => stl::read(bytes),
-        Format::Off => off::read(bytes),
-        Format::Ply => read_ply(bytes),
+        Format::Obj => obj::read(bytes, run),
+        Format::Stl => stl::read(bytes, run),
+        Format::Off => off::read(bytes, run),
+        Format::Ply => read_ply(bytes, run),
         Format::PolygonScene => read_polygon_scene(bytes),
         Format::Gltf => read_gltf(bytes, folder),
     }?;
@@ -152,7 +202,7 @@ fn placement(format: Format) -> Placement {
 use ply::read as read_ply;
 
 #[cfg(not(feature = "ply"))]
-fn read_ply(_: &[u8]) -> Read<Found> {
+fn read_ply(_: &[u8], _: &Run<'_>) -> Read<Found> {
     Err(left_out(Format::Ply))
 }
 

@@ -15,10 +15,11 @@ use super::Found;
 use super::error::{Fault, Read, quote};
 use super::parts::{ForwardReferences, Part, split};
 use super::text::{Text, integer};
+use crate::run::Run;
 
 /// Reads an OBJ file.
-pub(super) fn read(bytes: &[u8]) -> Read<Found> {
-    let mut reader = Reader::new(bytes);
+pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
+    let mut reader = Reader::new(bytes, run);
     let outcome = reader.statements();
     // A reference that leads nowhere comes before any later problem, but
     // takes the rest of the file's vertices to be known.
@@ -57,9 +58,9 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
+    fn new(bytes: &'a [u8], run: &'a Run<'a>) -> Self {
         Reader {
-            text: Text::new(bytes).with_comments().with_continued_lines(),
+            text: Text::new(bytes).with_comments().with_continued_lines().within(run),
             vertices: Vec::new(),
             parts: Vec::new(),
             name: b"",

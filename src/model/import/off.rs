@@ -13,6 +13,7 @@ use super::super::{Color, Soup};
 use super::Found;
 use super::error::{Fault, Read, quote};
 use super::text::{Text, integer};
+use crate::run::Run;
 
 /// Whether the word opens an OFF file, even one of a kind that is refused.
 pub(super) fn is_magic(word: &[u8]) -> bool {
@@ -30,8 +31,8 @@ fn prefix(word: &[u8]) -> Option<&[u8]> {
 }
 
 /// Reads an OFF file.
-pub(super) fn read(bytes: &[u8]) -> Read<Found> {
-    let mut text = Text::new(bytes).with_comments();
+pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
+    let mut text = Text::new(bytes).with_comments().within(run);
     let (vertex_count, face_count) = header(&mut text)?;
     let mut reader = Reader { text, vertex_count, soup: Soup::default(), colors: Vec::new() };
     for number in 0..vertex_count {

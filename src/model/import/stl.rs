@@ -17,17 +17,17 @@ use glam::DVec3;
 use super::super::{Faces, Soup};
 use super::error::{Fault, Read};
 use super::{Found, stl_text};
-use crate::run::{concat_map, map_chunks};
+use crate::run::{Run, concat_map, map_chunks};
 
 const HEADER: usize = 84;
 const FACET: usize = 50;
 
 /// Reads an STL file of either form.
-pub(super) fn read(bytes: &[u8]) -> Read<Found> {
+pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
     if !has_binary_length(bytes) && looks_like_text(bytes) {
-        return stl_text::read(bytes);
+        return stl_text::read(bytes, run);
     }
-    read_binary(bytes)
+    read_binary(bytes, run)
 }
 
 /// Whether the file is exactly as long as its number of facets says.
@@ -50,7 +50,7 @@ fn looks_like_text(bytes: &[u8]) -> bool {
     head.iter().all(|&byte| 0x20 <= byte || (0x09..=0x0d).contains(&byte))
 }
 
-fn read_binary(bytes: &[u8]) -> Read<Found> {
+fn read_binary(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
     let Some(count) = facet_count(bytes) else {
         let message = format!("the file ends in the header, expected {HEADER} bytes at least");
         return Err(Fault::byte(bytes.len(), message));
@@ -70,7 +70,7 @@ fn read_binary(bytes: &[u8]) -> Read<Found> {
         found.warnings.push(format!("{surplus} bytes after the last facet are ignored"));
     }
     let (facets, _) = bytes[HEADER..expected as usize].as_chunks::<FACET>();
-    found.objects.push(soup_of(facets)?);
+    found.objects.push(soup_of(facets, run)?);
     Ok(found)
 }
 
@@ -93,8 +93,11 @@ struct Part {
 }
 
 /// Decodes all facets, in parallel.
-fn soup_of(facets: &[[u8; FACET]]) -> Read<Soup> {
-    let parts = map_chunks(facets.len(), PART, |part| decode_part(facets, part));
+fn soup_of(facets: &[[u8; FACET]], run: &Run<'_>) -> Read<Soup> {
+    let parts = map_chunks(facets.len(), PART, |part| match run.is_stopped() {
+        true => Part::default(),
+        false => decode_part(facets, part),
+    });
     if let Some(facet) = parts.iter().find_map(|part| part.wrong) {
         return Err(not_finite(facet, &decode(&facets[facet])));
     }

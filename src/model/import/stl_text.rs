@@ -16,10 +16,11 @@ use super::super::{Faces, Soup};
 use super::Found;
 use super::error::{Fault, Read, quote};
 use super::text::Text;
+use crate::run::Run;
 
 /// Reads the text form; each solid becomes an object.
-pub(super) fn read(bytes: &[u8]) -> Read<Found> {
-    let mut text = Text::new(bytes);
+pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
+    let mut text = Text::new(bytes).within(run);
     let mut found = Found::default();
     while let Some(word) = text.word_across_lines() {
         check(&text, Some(word), "solid")?;

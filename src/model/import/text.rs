@@ -5,6 +5,7 @@
 //! are parsed by the standard library, so they are correctly rounded.
 
 use super::error::{Fault, Read, quote};
+use crate::run::Run;
 
 /// A position between two bytes of a text, and its line.
 #[derive(Clone)]
@@ -14,18 +15,29 @@ pub(super) struct Text<'a> {
     line: u64,
     comments: bool,
     continued: bool,
+    run: Option<&'a Run<'a>>,
 }
+
+/// Lines between two questions whether to go on: a power of two.
+const LINES: u64 = 1 << 10;
 
 impl<'a> Text<'a> {
     /// Starts at the first line, after a byte order mark if there is one.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         let at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-        Text { bytes, at, line: 1, comments: false, continued: false }
+        Text { bytes, at, line: 1, comments: false, continued: false, run: None }
     }
 
     /// Words that begin with `#` end their line.
     pub(super) fn with_comments(mut self) -> Self {
         self.comments = true;
+        self
+    }
+
+    /// Once the run is stopped the text looks as if it ended: whatever the
+    /// reader makes of that, its caller asks the run first.
+    pub(super) fn within(mut self, run: &'a Run<'a>) -> Self {
+        self.run = Some(run);
         self
     }
 
@@ -85,6 +97,14 @@ impl<'a> Text<'a> {
 
     /// Goes to the beginning of the next line; false at the end of the file.
     pub(super) fn next_line(&mut self) -> bool {
+        if self.line.is_multiple_of(LINES)
+            && let Some(run) = self.run
+        {
+            run.advance(0);
+            if run.is_stopped() {
+                self.at = self.bytes.len();
+            }
+        }
         loop {
             let start = self.at;
             self.skip_to_line_end();

@@ -17,7 +17,7 @@ fn mesh(objects: &[Object<'_>]) -> Mesh {
 }
 
 fn topology(mesh: &Mesh) -> Topology {
-    Topology::of(mesh, &FeatureOptions::default(), &Run::default())
+    Topology::of(mesh, &FeatureOptions::default(), &Run::default()).unwrap()
 }
 
 const CUBE: [[f64; 3]; 8] = [

@@ -28,6 +28,7 @@ mod walk;
 
 use super::plane_polygon::{Cut, PlanePolygon};
 use crate::kernel::predicates::{InputPlane, Policy, Predicates};
+use crate::run::{Cancelled, Run};
 use std::ops::Range;
 
 /// A polygon of the tree, or a piece of one.
@@ -38,6 +39,13 @@ pub struct Fragment {
     /// The number of the polygon it is, or is a piece of. Of polygons in one
     /// plane the one with the least number is nearest.
     pub source: u32,
+}
+
+impl Fragment {
+    /// What it takes in memory, about.
+    fn bytes(&self) -> u64 {
+        (size_of::<Self>() + self.polygon.heap_bytes()) as u64
+    }
 }
 
 /// The tree.
@@ -71,31 +79,42 @@ struct Parted {
     below: Vec<Fragment>,
     above: Vec<Fragment>,
     cuts: usize,
+    /// What the run was told that its cuts take.
+    taken: u64,
 }
 
 impl Bsp {
     /// Builds the tree of polygons, numbered as they come. The same list makes
     /// the same tree. No plane of theirs may be one through the eye, or the
     /// near plane.
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled, or may not hold all pieces.
     pub fn new<P: Policy>(
         predicates: &Predicates<'_, P>,
         polygons: impl IntoIterator<Item = PlanePolygon>,
-    ) -> Self {
+        run: &Run<'_>,
+    ) -> Result<Self, Cancelled> {
         let numbered = polygons.into_iter().zip(0..);
-        let set = numbered.map(|(polygon, source)| Fragment { polygon, source }).collect();
+        let set: Vec<Fragment> =
+            numbered.map(|(polygon, source)| Fragment { polygon, source }).collect();
+        run.take(set.iter().map(Fragment::bytes).sum())?;
         let mut tree = Bsp::default();
         let mut open = vec![Open { set, parent: None }];
         while let Some(Open { set, parent }) = open.pop() {
             if set.is_empty() {
                 continue;
             }
-            let (plane, parted) = part_well(predicates, set);
+            let (plane, parted) = part_well(predicates, set, run);
+            run.check()?;
+            run.advance(parted.within.len() as u64);
             let node = tree.add(plane, parted.within, parent);
             tree.cuts += parted.cuts;
             open.push(Open { set: parted.above, parent: Some((node, true)) });
             open.push(Open { set: parted.below, parent: Some((node, false)) });
         }
-        tree
+        Ok(tree)
     }
 
     /// Polygons and pieces of polygons, as they stand in the tree.
@@ -137,26 +156,30 @@ impl Bsp {
 fn part_well<P: Policy>(
     predicates: &Predicates<'_, P>,
     set: Vec<Fragment>,
+    run: &Run<'_>,
 ) -> (InputPlane, Parted) {
     let choice = choose::choose(predicates, &set);
     let most = set.len() - set.len() / 4;
     if let Some(plane) = choice.across {
-        let parted = part(predicates, plane, set.iter().cloned());
+        let parted = part(predicates, plane, set.iter().cloned(), run);
         if parted.below.len().max(parted.above.len()) <= most {
             return (plane, parted);
         }
+        run.give_back(parted.taken);
     }
-    (choice.face, part(predicates, choice.face, set.into_iter()))
+    (choice.face, part(predicates, choice.face, set.into_iter(), run))
 }
 
-/// Parts a set by a plane. Both halves keep the order.
+/// Parts a set by a plane. Both halves keep the order; once the run is stopped,
+/// polygons are left out.
 fn part<P: Policy>(
     predicates: &Predicates<'_, P>,
     plane: InputPlane,
     set: impl Iterator<Item = Fragment>,
+    run: &Run<'_>,
 ) -> Parted {
     let mut parted = Parted::default();
-    for fragment in set {
+    for fragment in set.take_while(|_| !run.is_stopped()) {
         match fragment.polygon.cut(predicates, plane.into()) {
             Cut::Within => parted.within.push(fragment),
             Cut::Below => parted.below.push(fragment),
@@ -164,6 +187,10 @@ fn part<P: Policy>(
             Cut::Parted([below, above]) => {
                 parted.cuts += 1;
                 let source = fragment.source;
+                let more = fragment.bytes();
+                parted.taken += more;
+                // Whether it was too much is asked before the next one.
+                let _ = run.take(more);
                 parted.below.push(Fragment { polygon: below, source });
                 parted.above.push(Fragment { polygon: above, source });
             }

@@ -88,7 +88,7 @@ fn crossing_squares_take_one_cut() {
     let (vertices, polygons) = scene(&[flat, steep]);
     let points = Points::new(&vertices, Eye::Towards(DVec3::Z), None);
     let predicates = Predicates::<Exact>::new(&points);
-    let tree = Bsp::new(&predicates, polygons.clone());
+    let tree = Bsp::new(&predicates, polygons.clone(), &Run::default()).unwrap();
     assert_eq!((tree.cuts(), tree.fragments().len()), (1, 3));
     assert!(keeps_areas(&tree, &polygons, &predicates));
     for direction in [DVec3::Z, -DVec3::Z, dvec3(1.0, 2.0, 3.0), dvec3(-5.0, 1.0, 1.0)] {
@@ -109,7 +109,7 @@ fn three_bars_in_a_cycle() {
     let (vertices, polygons) = scene(&[a, b, c]);
     let points = Points::new(&vertices, Eye::Towards(DVec3::Z), None);
     let predicates = Predicates::<Exact>::new(&points);
-    let tree = Bsp::new(&predicates, polygons.clone());
+    let tree = Bsp::new(&predicates, polygons.clone(), &Run::default()).unwrap();
     assert!(tree.cuts() >= 1);
     assert!(keeps_areas(&tree, &polygons, &predicates));
     assert!(is_sound(&order(&tree, &predicates), &predicates));
@@ -124,7 +124,7 @@ fn parallel_squares_stay_whole_and_stand_in_order() {
     let (vertices, polygons) = scene(&(0..12).map(level).collect::<Vec<_>>());
     let points = Points::new(&vertices, Eye::Towards(DVec3::Z), None);
     let predicates = Predicates::<Exact>::new(&points);
-    let tree = Bsp::new(&predicates, polygons);
+    let tree = Bsp::new(&predicates, polygons, &Run::default()).unwrap();
     assert_eq!(tree.cuts(), 0);
     let sources: Vec<u32> = order(&tree, &predicates).iter().map(|f| f.source * 7 % 12).collect();
     assert_eq!(sources, (0..12).collect::<Vec<u32>>());
@@ -142,7 +142,7 @@ fn coplanar_squares_go_by_number_and_edge_on_ones_are_not_painted() {
     for direction in [DVec3::Z, -DVec3::Z] {
         let points = Points::new(&vertices, Eye::Towards(direction), None);
         let predicates = Predicates::<Exact>::new(&points);
-        let tree = Bsp::new(&predicates, polygons.clone());
+        let tree = Bsp::new(&predicates, polygons.clone(), &Run::default()).unwrap();
         let order = order(&tree, &predicates);
         assert!(order.iter().all(|fragment| fragment.source < 3));
         assert!(is_sound(&order, &predicates));
@@ -172,7 +172,7 @@ fn a_convex_surface_does_not_become_a_chain() {
     let (vertices, polygons) = bowl(20);
     let points = Points::new(&vertices, Eye::Towards(dvec3(3.0, 1.0, -7.0)), None);
     let predicates = Predicates::<Exact>::new(&points);
-    let tree = Bsp::new(&predicates, polygons.clone());
+    let tree = Bsp::new(&predicates, polygons.clone(), &Run::default()).unwrap();
     let is_across = |node: &Node| matches!(node.plane, InputPlane::Across(..));
     assert!(is_across(&tree.nodes[0]));
     assert!(tree.cuts() < polygons.len() / 8, "{}", tree.cuts());
@@ -198,7 +198,7 @@ proptest! {
         let triangles = (0..8).map(|i| PlanePolygon::triangle([3 * i, 3 * i + 1, 3 * i + 2]));
         let polygons: Vec<PlanePolygon> =
             triangles.filter(|polygon| !polygon.axis(&predicates).1.is_zero()).collect();
-        let tree = Bsp::new(&predicates, polygons.clone());
+        let tree = Bsp::new(&predicates, polygons.clone(), &Run::default()).unwrap();
         prop_assert!(keeps_areas(&tree, &polygons, &predicates));
         for (i, eye) in eyes.into_iter().enumerate() {
             let points = if i % 2 == 0 {

@@ -48,6 +48,7 @@ pub use ring::{Corner, Polygon, Ring};
 pub use rounded::Rounded;
 
 use crate::kernel::predicates::{Chart, Policy, Predicates};
+use crate::run::Run;
 use fill::States;
 use std::collections::BTreeMap;
 use sweep::Sweep;
@@ -131,6 +132,7 @@ pub struct Clipper<'a, 'p, P: Policy> {
     predicates: &'a Predicates<'p, P>,
     chart: Chart,
     keep_collinear: bool,
+    run: Option<&'a Run<'a>>,
 }
 
 impl<'a, 'p, P: Policy> Clipper<'a, 'p, P> {
@@ -138,7 +140,7 @@ impl<'a, 'p, P: Policy> Clipper<'a, 'p, P> {
     /// where the eye is a point and there is no near plane.
     pub fn new(predicates: &'a Predicates<'p, P>) -> Option<Self> {
         let chart = Chart::new(predicates.points())?;
-        Some(Clipper { predicates, chart, keep_collinear: false })
+        Some(Clipper { predicates, chart, keep_collinear: false, run: None })
     }
 
     /// Keeps vertices of the input that lie on borders of the result even
@@ -146,6 +148,14 @@ impl<'a, 'p, P: Policy> Clipper<'a, 'p, P> {
     #[must_use]
     pub fn with_collinear_vertices(mut self, keep: bool) -> Self {
         self.keep_collinear = keep;
+        self
+    }
+
+    /// Asks a run whether to go on, and tells it what is held in memory.
+    /// What a stopped run makes is nothing, and its caller asks the run.
+    #[must_use]
+    pub fn within(mut self, run: &'a Run<'a>) -> Self {
+        self.run = Some(run);
         self
     }
 
@@ -168,7 +178,16 @@ impl<'a, 'p, P: Policy> Clipper<'a, 'p, P> {
         let mut states = States::new(rules, label);
         let (ends, edges) = prepare::prepare(self.predicates, &self.chart, operands, &mut states);
         let mut sweep = Sweep::new(self.predicates, &self.chart, &ends, &edges, states);
-        sweep.run();
+        let mut growing = self.run.map(sweep::growing);
+        let is_done = sweep.run(&mut |pieces| {
+            growing.as_mut().is_none_or(|growing| growing.goes_on(pieces as usize))
+        });
+        if let Some(growing) = growing {
+            growing.throw_away();
+        }
+        if !is_done {
+            return BTreeMap::new();
+        }
         let mut borders = sweep.borders;
         rings::polygons(self.predicates, &self.chart, &edges, &mut borders, self.keep_collinear)
     }

@@ -7,6 +7,7 @@
 use super::{Clipper, Corner, FillRule, Operand, Operation, Polygon, Ring};
 use crate::kernel::numbers::Fraction;
 use crate::kernel::predicates::{Chart, Exact, Eye, Points, Predicates};
+use crate::run::{Cancelled, Run};
 use glam::{DVec2, DVec3};
 
 /// Why coordinates are no shape.
@@ -25,6 +26,9 @@ pub enum ShapeError {
     /// There are more than 2^31 corners.
     #[error("there are more corners than 32 bits can number")]
     TooMany,
+    /// The run was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// The most vertices of an operation.
@@ -115,8 +119,22 @@ impl PlaneShape {
     ///
     /// Where the shapes have more than 2^31 vertices.
     pub fn operation(operation: Operation, shapes: &[&PlaneShape]) -> Result<Self, ShapeError> {
+        Self::operation_within(operation, shapes, &Run::default())
+    }
+
+    /// The same, asking a run whether to go on.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::operation`]; and if the run is cancelled or reaches a limit.
+    pub fn operation_within(
+        operation: Operation,
+        shapes: &[&PlaneShape],
+        run: &Run<'_>,
+    ) -> Result<Self, ShapeError> {
         let label = |inside: &[bool]| u32::from(operation.accepts(inside));
-        let [result] = Self::overlay(shapes, &label, [1], false)?;
+        let [result] = Self::overlay(shapes, &label, [1], false, run)?;
+        run.check()?;
         Ok(result)
     }
 
@@ -127,7 +145,13 @@ impl PlaneShape {
     ///
     /// As [`Self::operation`].
     pub fn normalized(&self, keep_collinear: bool) -> Result<Self, ShapeError> {
-        let [result] = Self::overlay(&[self], &|inside| inside[0].into(), [1], keep_collinear)?;
+        let [result] = Self::overlay(
+            &[self],
+            &|inside| inside[0].into(),
+            [1],
+            keep_collinear,
+            &Run::default(),
+        )?;
         Ok(result)
     }
 
@@ -142,7 +166,7 @@ impl PlaneShape {
             [true, false] => 2,
             _ => 0,
         };
-        Self::overlay(&[self, clip], &label, [1, 2], false)
+        Self::overlay(&[self, clip], &label, [1, 2], false, &Run::default())
     }
 
     fn overlay<const N: usize>(
@@ -150,6 +174,7 @@ impl PlaneShape {
         label: &dyn Fn(&[bool]) -> u32,
         labels: [u32; N],
         keep_collinear: bool,
+        run: &Run<'_>,
     ) -> Result<[Self; N], ShapeError> {
         let count = shapes.iter().map(|shape| shape.vertices.len()).sum();
         if count > MOST {
@@ -168,7 +193,7 @@ impl PlaneShape {
             return Ok([(); N].map(|()| Self::default()));
         };
         let clipper = clipper.with_collinear_vertices(keep_collinear);
-        let mut areas = clipper.overlay(&operands, label);
+        let mut areas = clipper.within(run).overlay(&operands, label);
         Ok(labels.map(|label| Self::compact(&vertices, areas.remove(&label).unwrap_or_default())))
     }
 

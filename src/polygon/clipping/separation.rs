@@ -8,6 +8,7 @@
 //! an exact look has to follow.
 
 use super::Corner;
+use crate::run::Run;
 use crate::spatial::{Hierarchy, Rounding};
 use glam::{DVec2, Vec3A};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -36,6 +37,7 @@ pub(super) fn surely_undisturbed<'r>(
     let hierarchy = boxes(&edges, largest, unit);
     let doubtful = AtomicBool::new(false);
     hierarchy.overlapping_pairs(
+        &Run::default(),
         || (),
         |(), a, b| {
             if !doubtful.load(Ordering::Relaxed)

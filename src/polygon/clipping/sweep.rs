@@ -26,6 +26,7 @@ use super::queue::{Meeting, Queue};
 use super::status::{NONE, Status};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Approximation, Chart, ImageLine, ImagePoint, Policy, Predicates};
+use crate::run::{Growing, Run};
 use std::cmp::Ordering;
 
 /// An edge, directed with the sweep.
@@ -88,6 +89,15 @@ pub(super) fn compare_approximations(a: &Approximation, b: &Approximation) -> Op
     Some(Ordering::Equal)
 }
 
+/// What the pieces of a sweep take: two meetings in the queue, and a border
+/// with its two ends.
+const PIECE_BYTES: usize = 2 * size_of::<Meeting>() + 64;
+
+/// The pieces of a sweep, which its run is told of.
+pub(super) fn growing<'r>(run: &'r Run<'r>) -> Growing<'r> {
+    Growing::new(run, PIECE_BYTES)
+}
+
 pub(super) struct Sweep<'a, 'p, P: Policy> {
     predicates: &'a Predicates<'p, P>,
     chart: &'a Chart,
@@ -140,15 +150,19 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
         }
     }
 
-    /// Sweeps over all edges, which are sorted by their left ends.
-    pub(super) fn run(&mut self) {
+    /// Sweeps over all edges, which are sorted by their left ends. `goes_on` is
+    /// asked at every point, with the number of pieces so far; false if it said
+    /// no, and then borders end in the air.
+    pub(super) fn run(&mut self, goes_on: &mut impl FnMut(u32) -> bool) -> bool {
         let mut ending = vec![NONE; self.ends.points.len()];
         for (number, edge) in self.edges.iter().enumerate() {
             ending[edge.right as usize] = number as u32;
         }
         let mut begun = 0;
         for (end, &ending) in ending.iter().enumerate() {
-            self.meetings_before(end as u32);
+            if !self.meetings_before(end as u32, goes_on) || !goes_on(self.pieces) {
+                return false;
+            }
             let first = begun;
             while begun < self.edges.len() && self.edges[begun].left as usize == end {
                 begun += 1;
@@ -161,10 +175,11 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
             let below = self.collect(event, start);
             self.step(event, below, first as u32..begun as u32);
         }
+        true
     }
 
     /// Sees to all crossings that come before an end.
-    fn meetings_before(&mut self, end: u32) {
+    fn meetings_before(&mut self, end: u32, goes_on: &mut impl FnMut(u32) -> bool) -> bool {
         while let Some(first) = self.queue.first() {
             let approximation = &self.ends.approximations[end as usize];
             let order = compare_approximations(&first.approximation, approximation);
@@ -173,12 +188,15 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
                 self.predicates.sweep(self.chart, self.crossing(first.edges), point)
             });
             if order != Ordering::Less {
-                return;
+                return true;
+            }
+            if !goes_on(self.pieces) {
+                return false;
             }
             let (edges, predicates, chart) = (self.edges, self.predicates, self.chart);
             let Some(meeting) = self.queue.pop(|a, b| before(predicates, chart, edges, a, b))
             else {
-                return;
+                return true;
             };
             let [low, high] = meeting.slots;
             let same = |i: usize| self.slots[meeting.slots[i] as usize].piece == meeting.pieces[i];
@@ -188,6 +206,7 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
                 self.step(event, below, 0..0);
             }
         }
+        true
     }
 
     /// Where the upper and the lower of two edges cross.

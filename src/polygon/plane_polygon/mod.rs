@@ -59,6 +59,11 @@ pub struct PlanePolygon {
 }
 
 impl PlanePolygon {
+    /// What its list of corners takes in memory.
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.corners.capacity() * size_of::<PlaneCorner>()
+    }
+
     /// A triangle all of whose edges are borders.
     pub fn triangle(face: [u32; 3]) -> Self {
         PlanePolygon::of_ring(face, &face, |_| false)

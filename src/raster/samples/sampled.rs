@@ -108,6 +108,7 @@ impl<'a> Sampled<'a> {
         let parts = run.stage("faces", count as u64, || {
             map_chunks(count, PART, |part| {
                 run.check()?;
+                run.advance(part.len() as u64);
                 let judge = Judge::<P>::new(self);
                 let faces: Vec<Face> = part.filter_map(|i| judge.face(i as u32)).collect();
                 run.merge(&judge.counters());

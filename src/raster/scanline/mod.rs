@@ -101,6 +101,7 @@ impl<'a> Scene<'a> {
                 let first = rows.start as u32;
                 line.enter(self.table.reaching(first), first);
                 for row in rows {
+                    run.check()?;
                     line.enter(self.table.beginning(row as u32).iter(), row as u32);
                     line.draw(row as u32, &mut items);
                     run.advance(1);

@@ -88,10 +88,13 @@ pub fn span_buffer_with<P: Policy>(
 ) -> Result<ItemBuffer, Cancelled> {
     let sampled = Sampled::new(view, question, samples);
     let faces = sampled.faces::<P>(run)?;
-    let rows = faces_of_rows(&faces, 0..faces.len() as u32, samples.height());
+    let rows = faces_of_rows(&faces, 0..faces.len() as u32, samples.height(), run)?;
     let items = draw_rows(samples, run, |part, items| {
         let mut resolver = Resolver::new(&faces, Judge::<P>::new(&sampled), compare);
         for (row, line) in part.zip(items.chunks_exact_mut(samples.width() as usize)) {
+            if run.is_stopped() {
+                break;
+            }
             draw_row(&faces, &rows[row], &mut resolver, row as u32, line);
         }
         run.merge(&resolver.judge().counters());
@@ -101,7 +104,15 @@ pub fn span_buffer_with<P: Policy>(
 }
 
 /// Which faces may be met in which row, each row in the order of `order`.
-fn faces_of_rows(faces: &[Face], order: impl Iterator<Item = u32>, height: u32) -> Vec<Vec<u32>> {
+fn faces_of_rows(
+    faces: &[Face],
+    order: impl Iterator<Item = u32>,
+    height: u32,
+    run: &Run,
+) -> Result<Vec<Vec<u32>>, Cancelled> {
+    let reach = |face: &Face| u64::from(face.footprint.rows[1] - face.footprint.rows[0]) + 1;
+    // Lists may have room for twice as many.
+    run.take(2 * size_of::<u32>() as u64 * faces.iter().map(reach).sum::<u64>())?;
     let mut rows = vec![Vec::new(); height as usize];
     for face in order {
         let [first, last] = faces[face as usize].footprint.rows;
@@ -109,7 +120,7 @@ fn faces_of_rows(faces: &[Face], order: impl Iterator<Item = u32>, height: u32) 
             row.push(face);
         }
     }
-    rows
+    Ok(rows)
 }
 
 /// Lets `draw` fill the rows of an image, part by part.

@@ -77,7 +77,7 @@ pub fn c_buffer<P: Policy>(
         face_of[face.triangle as usize] = Some(index);
     }
     let named = order.iter().filter_map(|&triangle| *face_of.get(triangle as usize)?);
-    let rows = faces_of_rows(&faces, named, samples.height());
+    let rows = faces_of_rows(&faces, named, samples.height(), run)?;
     let items = draw_rows(samples, run, |part, items| {
         let judge = Judge::<P>::new(&sampled);
         for (row, line) in part.zip(items.chunks_exact_mut(samples.width() as usize)) {

@@ -106,9 +106,10 @@ pub fn warnock_windows<P: Policy>(
         let list = (0..faces.len() as u32).map(|face| Entry { face, surrounds: false });
         let mut waiting = vec![(samples.all(), list.collect())];
         while !waiting.is_empty() && waiting.len() < SHARED {
-            run.check()?;
-            let windows = std::mem::take(&mut waiting);
-            windows.into_iter().for_each(|(w, list)| top.step(w, list, &mut waiting));
+            for (window, list) in std::mem::take(&mut waiting) {
+                run.check()?;
+                top.step(window, list, &mut waiting);
+            }
         }
         run.merge(&top.judge.counters());
         let mut solutions = map_chunks(waiting.len(), 1, |part| {
@@ -116,6 +117,7 @@ pub fn warnock_windows<P: Policy>(
             let mut solver = Solver::<P>::new(&sampled, &faces, subdivision);
             let mut stack = waiting[part].to_vec();
             while let Some((window, list)) = stack.pop() {
+                run.check()?;
                 solver.step(window, list, &mut stack);
             }
             run.merge(&solver.judge.counters());

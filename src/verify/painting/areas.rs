@@ -4,6 +4,7 @@ use super::{Faces, PaintReport};
 use crate::kernel::numbers::Fraction;
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::polygon::PlanePolygon;
+use crate::run::{Cancelled, Run};
 use crate::view::{LineQuestion, PaintOrder};
 
 /// The areas of all faces that have an image. Others have no pieces.
@@ -12,13 +13,15 @@ pub(super) fn check_areas<P: Policy>(
     faces: &Faces,
     order: &PaintOrder,
     report: &mut PaintReport,
-) {
+    run: &Run<'_>,
+) -> Result<(), Cancelled> {
     let predicates = Predicates::<P>::new(question.points);
     let mut pieces: Vec<Vec<&PlanePolygon>> = vec![Vec::new(); faces.ranges.len()];
     for piece in &order.pieces {
         pieces[piece.face as usize].push(&piece.polygon);
     }
     for (face, (range, pieces)) in faces.ranges.iter().zip(&pieces).enumerate() {
+        run.check()?;
         let has_image = |triangle: &u32| !question.facing[*triangle as usize].is_zero();
         let triangles = range.clone().filter(has_image);
         let corners = triangles.map(|triangle| question.mesh.triangles()[triangle as usize]);
@@ -39,6 +42,7 @@ pub(super) fn check_areas<P: Policy>(
             report.describe(format!("area: the pieces of face {face} are not all of it"));
         }
     }
+    Ok(())
 }
 
 fn total<P: Policy>(predicates: &Predicates<'_, P>, polygons: &[&PlanePolygon]) -> [Fraction; 3] {

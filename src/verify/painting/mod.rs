@@ -98,7 +98,7 @@ pub fn verify_painting<P: Policy>(
         };
         report.row(painter, &order);
         if !question.points.has_near_plane() {
-            check_areas::<P>(question, &faces, &order, &mut report);
+            check_areas::<P>(question, &faces, &order, &mut report, run)?;
         }
         check_pairs::<P>(view, question, &faces, &order, &mut report, run)?;
         if let Some((sampled, buffer)) = &image {

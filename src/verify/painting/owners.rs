@@ -35,6 +35,8 @@ pub(super) fn check_owners<P: Policy>(
             let predicates = Predicates::<P>::new(sampled.points());
             let mut tops = vec![Top::Paper; rows.len() * width as usize];
             for (piece, shadow) in order.pieces.iter().zip(&shadows) {
+                run.check()?;
+                run.advance(0);
                 let triangles = faces.triangles(piece).map(|t| sampled.triangle(t).0);
                 let Some([columns, reached]) = sampled.reach(triangles) else { continue };
                 let first = reached[0].max(rows.start as u32);

@@ -37,8 +37,9 @@ pub(super) fn check_pairs<P: Policy>(
     let pairs = Pairs { question, faces, shadows: &shadows, sampled: &sampled };
     let start = || (Predicates::<P>::new(question.points), 0_u64, Vec::new());
     let found = run.stage("verify-paint-order", boxes.len() as u64, || {
-        Hierarchy::new(&boxes).overlapping_pairs(start, |(predicates, right, wrong), a, b| {
-            if run.check().is_err() {
+        let hierarchy = Hierarchy::new(&boxes);
+        hierarchy.overlapping_pairs(run, start, |(predicates, right, wrong), a, b| {
+            if run.is_stopped() {
                 return;
             }
             let [earlier, later] = [a.min(b), a.max(b)];

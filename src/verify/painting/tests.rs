@@ -50,7 +50,7 @@ fn report(near: bool, change: impl FnOnce(&LineQuestion<'_>, &mut PaintOrder)) -
     let mut report = PaintReport::default();
     report.row(options.painter, &order);
     if !near {
-        check_areas::<Exact>(&question, &faces, &order, &mut report);
+        check_areas::<Exact>(&question, &faces, &order, &mut report, &Run::default()).unwrap();
     }
     check_pairs::<Exact>(&view, &question, &faces, &order, &mut report, &run).expect("pairs");
     let count = mesh.vertices().len() as u32;

@@ -4,6 +4,7 @@ use super::report::{DESCRIBED, RegionReport, RegionTally};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Cut, Point, Policy, Predicates};
 use crate::polygon::clipping::{Clipper, FillRule, Operand, Polygon};
+use crate::run::Run;
 use crate::view::{LineQuestion, VisibleRegions};
 
 /// One overlay of all regions and all images.
@@ -11,11 +12,13 @@ pub(super) fn check_areas<P: Policy>(
     question: &LineQuestion<'_>,
     regions: &VisibleRegions,
     report: &mut RegionReport,
+    run: &Run<'_>,
 ) {
     let predicates = Predicates::<P>::new(question.points);
     let Some(clipper) = Clipper::new(&predicates) else {
         return;
     };
+    let clipper = clipper.within(run);
     let near = question.points.has_near_plane();
     let is_in_front = |&corner: &u32| {
         !near || predicates.value_sign(Cut::Near, Point::Vertex(corner)) == Sign::Positive

@@ -31,6 +31,8 @@ pub(super) fn check_borders<P: Policy>(
                 report: RegionReport::default(),
             };
             for line in part {
+                run.check()?;
+                run.advance(1);
                 worker.line(line, answer.line(line), borders.line(line));
             }
             Ok(worker.report)

@@ -87,7 +87,7 @@ pub fn verify_regions<P: Policy>(
         }
     };
     run.stage("verify-areas", regions.regions().len() as u64, || {
-        check_areas::<P>(question, &regions, &mut report);
+        check_areas::<P>(question, &regions, &mut report, run);
     });
     run.check()?;
     let count = question.mesh.vertices().len() as u32;

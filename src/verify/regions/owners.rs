@@ -32,6 +32,8 @@ pub(super) fn check_owners<P: Policy>(
                 return Ok(report);
             };
             for index in part {
+                run.check()?;
+                run.advance(1);
                 let [column, row] = [index as u32 % width, index as u32 / width];
                 let Some(triangle) = buffer.item(column, row) else {
                     continue;

@@ -12,7 +12,7 @@
 //! Source: see [`crate::spatial::OcclusionMap`].
 
 use crate::model::{FeatureLine, LineOrigin};
-use crate::run::{map_chunks, map_indexed};
+use crate::run::{Cancelled, Run, map_chunks, map_indexed};
 use crate::spatial::{Grid, OcclusionMap, Placed, cover};
 use crate::view::LineQuestion;
 use glam::DVec2;
@@ -50,7 +50,30 @@ const LEAST_LAYERS: f64 = 6.0;
 const SAMPLE: usize = 4096;
 
 /// The map of the question's triangles, if one is to be made.
-pub(super) fn occlusion_map(question: &LineQuestion<'_>, culling: Culling) -> Option<OcclusionMap> {
+///
+/// # Errors
+///
+/// If the run is stopped.
+pub(super) fn occlusion_map(
+    question: &LineQuestion<'_>,
+    culling: Culling,
+    run: &Run<'_>,
+) -> Result<Option<OcclusionMap>, Cancelled> {
+    match grid_for(question, culling) {
+        Some(grid) => {
+            let rows = question.mesh.triangles().len() * size_of::<Range<u16>>();
+            run.take((grid.tiles() * size_of::<f64>() + rows) as u64)?;
+            let map = map_of(question, grid, run);
+            run.give_back(rows as u64);
+            run.check()?;
+            Ok(Some(map))
+        }
+        None => Ok(None),
+    }
+}
+
+/// The tiles of the map, if one is to be made.
+fn grid_for(question: &LineQuestion<'_>, culling: Culling) -> Option<Grid> {
     let triangles = question.mesh.triangles().len();
     let few = || {
         let lines = question.lines.len();
@@ -67,18 +90,21 @@ pub(super) fn occlusion_map(question: &LineQuestion<'_>, culling: Culling) -> Op
     }
     let area = (high - low).element_product();
     let tile = area * layers / (triangles as f64 * TILES_OF_A_TRIANGLE);
-    let grid = Grid::new(low, high, tile.sqrt(), MOST_TILES)?;
-    Some(map_of(question, grid))
+    Grid::new(low, high, tile.sqrt(), MOST_TILES)
 }
 
-/// Fills the tiles of a grid, by bands of rows.
-fn map_of(question: &LineQuestion<'_>, grid: Grid) -> OcclusionMap {
+/// Fills the tiles of a grid, by bands of rows. Once the run is stopped, bands
+/// stay empty.
+fn map_of(question: &LineQuestion<'_>, grid: Grid, run: &Run<'_>) -> OcclusionMap {
     let rows_of = map_indexed(question.mesh.triangles().len(), |triangle| {
         corners(question, triangle).map_or(0..0, |corners| grid.rows_inside(&corners))
     });
     let band = grid.rows().div_ceil(BANDS).max(1);
     let bands = map_chunks(grid.rows(), band, |rows| {
         let mut depths = grid.uncovered(rows.len());
+        if run.is_stopped() {
+            return depths;
+        }
         let meets = |own: &Range<u16>| {
             usize::from(own.start) < rows.end && rows.start < usize::from(own.end)
         };

@@ -8,10 +8,10 @@
 use super::carry::{Foreign, Link, border_cases};
 use super::events::Event;
 use super::walker::{Walk, Walker};
-use super::{gather, part_of};
+use super::{gather, part_of, pieces_of};
 use crate::kernel::predicates::Policy;
 use crate::model::{FeatureLine, LineOrigin};
-use crate::run::{Cancelled, Counters, Run, map_chunks};
+use crate::run::{Cancelled, Counters, Growing, Run, map_chunks};
 use crate::spatial::{Bounds, Nearby};
 use crate::view::{Contacts, ExactLines, LineQuestion};
 use std::ops::Range;
@@ -63,6 +63,12 @@ impl Part {
         }
     }
 
+    /// What its lists take.
+    fn bytes(&self) -> u64 {
+        let events = self.events.capacity() * size_of::<Event>();
+        (events + self.links.capacity() * size_of::<Link>() + self.kinds.len()) as u64
+    }
+
     fn kept(&self, listed: usize) -> Kept<'_> {
         let Some(&end) = self.ends.get(listed) else {
             return Kept::None;
@@ -109,9 +115,8 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
     let found = map_chunks(question.lines.len(), size, |part| {
         run.check()?;
         let mut walker = walker();
-        let found = first_pass(&mut walker, contacts, &question.lines[part]);
-        run.hold(walker.events_held())?;
-        run.advance(found.kinds.len() as u64);
+        let found = first_pass(&mut walker, contacts, &question.lines[part], run)?;
+        run.take(found.bytes())?;
         Ok((found, walker.counters()))
     });
     let mut counters = Counters::default();
@@ -132,7 +137,9 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
             let count = |&[root, line]: &[u32; 2]| {
                 walker.foreign_count(root, &question.lines[line as usize], contacts)
             };
-            let counts: Vec<i32> = roots[part].iter().map(count).collect();
+            // What is left out belongs to no answer.
+            let on = roots[part].iter().take_while(|_| !run.is_stopped());
+            let counts: Vec<i32> = on.map(count).collect();
             (counts, walker.counters())
         });
         counts
@@ -143,13 +150,14 @@ pub(super) fn linked_lines<'q, P: Policy + 'q>(
             })
             .collect()
     });
+    run.check()?;
     counters.add("carried-contradictions", contradictions);
     run.merge(&counters);
     gather(run, question.lines.len(), |lines| {
         run.check()?;
         let mut walker = walker();
         let part = &parts[lines.start / size];
-        let answer = last_pass(&mut walker, part, &foreign, question, lines);
+        let answer = last_pass(&mut walker, part, &foreign, question, lines, run)?;
         Ok((answer, walker.counters()))
     })
 }
@@ -159,10 +167,13 @@ fn first_pass<P: Policy>(
     walker: &mut Walker<'_, P>,
     contacts: &Contacts<'_>,
     lines: &[FeatureLine],
-) -> Part {
+    run: &Run<'_>,
+) -> Result<Part, Cancelled> {
+    let mut met = Growing::new(run, 0).of_crossings();
     let mut part = Part { kinds: Vec::with_capacity(lines.len()), ..Part::default() };
     let mut walks = Vec::with_capacity(NEIGHBOURS);
     for neighbours in lines.chunks(NEIGHBOURS) {
+        run.advance(neighbours.len() as u64);
         walks.clear();
         for line in neighbours {
             let covered = walker.is_covered(line);
@@ -176,6 +187,9 @@ fn first_pass<P: Policy>(
         let around = boxes.fold(Bounds::EMPTY, |sum, bounds| sum.union(bounds));
         walker.nearby = walker.effective.look_around(&around);
         for (line, walk) in neighbours.iter().zip(&walks) {
+            if !met.goes_on(walker.events_held()) {
+                break;
+            }
             match walk {
                 Err(kind) => part.kinds.push(*kind),
                 Ok(walk) => look_at(walker, contacts, line, walk, &mut part, lines.len()),
@@ -183,7 +197,8 @@ fn first_pass<P: Policy>(
         }
     }
     walker.nearby = Nearby::EVERYTHING;
-    part
+    met.finish(walker.events_held())?;
+    Ok(part)
 }
 
 /// Lines that follow one another and are looked at together: they often lie
@@ -218,11 +233,19 @@ fn last_pass<P: Policy>(
     foreign: &Foreign,
     question: &LineQuestion<'_>,
     lines: Range<usize>,
-) -> ExactLines {
+    run: &Run<'_>,
+) -> Result<ExactLines, Cancelled> {
     let mut answer = ExactLines::default();
+    let mut made = pieces_of(run);
     let mut listed = 0;
-    for (kind, line) in part.kinds.iter().zip(&question.lines[lines]) {
+    for (place, (kind, line)) in part.kinds.iter().zip(&question.lines[lines]).enumerate() {
+        if place % NEIGHBOURS == 0 {
+            run.advance(0);
+        }
         walker.pieces.clear();
+        if !made.goes_on(answer.piece_count()) {
+            break;
+        }
         match kind {
             Kind::Imageless | Kind::Covered => {}
             Kind::Alone => walker.walk(line),
@@ -241,7 +264,8 @@ fn last_pass<P: Policy>(
         }
         answer.push_line(walker.pieces());
     }
-    answer
+    made.finish(answer.piece_count())?;
+    Ok(answer)
 }
 
 /// Makes the pieces of a listed line.

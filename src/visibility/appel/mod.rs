@@ -37,8 +37,8 @@ mod sweep;
 mod walker;
 
 use crate::kernel::predicates::Policy;
-use crate::run::{Cancelled, Counters, Run, map_chunks};
-use crate::view::{ExactLines, LineQuestion};
+use crate::run::{Cancelled, Counters, Growing, Run, map_chunks};
+use crate::view::{ExactLines, ExactPiece, LineQuestion};
 pub use culling::Culling;
 use linked::linked_lines;
 use std::ops::Range;
@@ -119,7 +119,7 @@ fn part_of(lines: usize) -> usize {
 ///
 /// # Errors
 ///
-/// If the run is cancelled.
+/// If the run is cancelled or reaches a limit.
 pub fn appel<P: Policy>(
     question: &LineQuestion<'_>,
     options: &AppelOptions,
@@ -130,8 +130,7 @@ pub fn appel<P: Policy>(
         let effective = question.effective_crossings();
         // A mistake shall show.
         let culling = if options.fault.is_some() { Culling::Never } else { options.skips.culling };
-        let covered = culling::occlusion_map(question, culling);
-        run.check()?;
+        let covered = culling::occlusion_map(question, culling, run)?;
         let walker = || Walker::<P>::new(question, &effective, covered.as_ref(), options);
         match question.contacts.filter(|_| options.skips.carry && question.piercings.is_some()) {
             Some(contacts) => linked_lines(question, &contacts, walker, run),
@@ -139,17 +138,26 @@ pub fn appel<P: Policy>(
                 run.check()?;
                 let mut walker = walker();
                 let mut answer = ExactLines::default();
-                let lines = part.len() as u64;
+                let (mut met, mut made) = (Growing::new(run, 0).of_crossings(), pieces_of(run));
                 for line in part {
+                    run.advance(1);
+                    if !met.goes_on(walker.events_held()) || !made.goes_on(answer.piece_count()) {
+                        break;
+                    }
                     walker.walk_unless_covered(&question.lines[line]);
                     answer.push_line(walker.pieces());
                 }
-                run.hold(walker.events_held())?;
-                run.advance(lines);
+                met.finish(walker.events_held())?;
+                made.finish(answer.piece_count())?;
                 Ok((answer, walker.counters()))
             }),
         }
     })
+}
+
+/// The pieces of one part: they are copied once, when the parts are joined.
+fn pieces_of<'r>(run: &'r Run<'r>) -> Growing<'r> {
+    Growing::new(run, 2 * size_of::<ExactPiece>())
 }
 
 /// Works on the lines in parts and joins the answers.

@@ -127,8 +127,8 @@ impl<'q, P: Policy> Walker<'q, P> {
     }
 
     /// Crossings and piercings met so far.
-    pub(super) fn events_held(&self) -> u64 {
-        self.crossings + self.piercings
+    pub(super) fn events_held(&self) -> usize {
+        (self.crossings + self.piercings) as usize
     }
 
     /// What was counted so far.

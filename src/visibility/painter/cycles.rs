@@ -11,6 +11,7 @@ use super::graph::Graph;
 use super::judge::{Judge, Relation};
 use super::sheets::Sheet;
 use crate::kernel::predicates::Policy;
+use crate::run::Run;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
 
@@ -24,11 +25,13 @@ pub(super) struct Chosen {
 /// Sheets that a search for a further cycle may visit.
 const FAR: usize = 256;
 
-/// Cuts for a component: one at least, none twice of one sheet.
+/// Cuts for a component: one at least, none twice of one sheet; perhaps fewer
+/// once the run is stopped.
 pub(super) fn choose<P: Policy>(
     graph: &Graph,
     judge: &Judge<'_, P>,
     component: &[u32],
+    run: &Run<'_>,
 ) -> Vec<Chosen> {
     let crossing = crossing_pairs(graph, component);
     if !crossing.is_empty() {
@@ -36,7 +39,7 @@ pub(super) fn choose<P: Policy>(
     }
     let mut used = FxHashSet::default();
     let mut chosen = Vec::new();
-    for &start in component {
+    for &start in component.iter().take_while(|_| !run.is_stopped()) {
         if used.contains(&start) {
             continue;
         }

@@ -73,6 +73,7 @@ pub(super) fn faces<P: Policy>(
     let wholes = wholes(mesh);
     let parts = map_chunks(wholes.len(), PART, |part| {
         run.check()?;
+        run.advance(part.len() as u64);
         let predicates = Predicates::<P>::new(question.points);
         let mut found = Vec::with_capacity(part.len());
         for whole in &wholes[part] {
@@ -86,7 +87,8 @@ pub(super) fn faces<P: Policy>(
         list.extend(part?);
     }
     let mut faces = Faces { list };
-    faces.untie::<P>(question, &ranks);
+    faces.untie::<P>(question, &ranks, run);
+    run.check()?;
     let areas = flats::<P>(question);
     for face in &mut faces.list {
         face.area = areas[face.triangles[0] as usize];
@@ -147,11 +149,11 @@ fn cut_up<'a, P: Policy>(
 
 impl Faces {
     /// Makes triangles of parts for which the tie rule has no one answer.
-    fn untie<P: Policy>(&mut self, question: &LineQuestion<'_>, ranks: &[u32]) {
+    fn untie<P: Policy>(&mut self, question: &LineQuestion<'_>, ranks: &[u32], run: &Run<'_>) {
         if self.list.iter().all(|face| face.triangles.len() == 1) {
             return;
         }
-        let tied = self.tied::<P>(question);
+        let tied = self.tied::<P>(question, run);
         if !tied.contains(&true) {
             return;
         }
@@ -172,7 +174,7 @@ impl Faces {
 
     /// Which parts overlap one in their plane without all of either's
     /// triangles being preferred.
-    fn tied<P: Policy>(&self, question: &LineQuestion<'_>) -> Vec<bool> {
+    fn tied<P: Policy>(&self, question: &LineQuestion<'_>, run: &Run<'_>) -> Vec<bool> {
         let (low, high) = question.mesh.bounds();
         let range = |axis: usize| low[axis]..high[axis];
         let rounding = Rounding::for_ranges([range(0), range(1), range(2)]);
@@ -180,7 +182,10 @@ impl Faces {
         let boxes: Vec<Bounds> = (0..self.list.len()).map(bounds).collect();
         let hierarchy = Hierarchy::new(&boxes);
         let start = || (Predicates::<P>::new(question.points), Vec::new());
-        let found = hierarchy.overlapping_pairs(start, |(predicates, found), a, b| {
+        let found = hierarchy.overlapping_pairs(run, start, |(predicates, found), a, b| {
+            if run.is_stopped() {
+                return;
+            }
             let pair = [a, b].map(|i| &self.list[i as usize]);
             if are_tied(predicates, pair) {
                 found.extend([a, b]);

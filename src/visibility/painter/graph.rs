@@ -22,7 +22,7 @@ use super::order::farthest_first;
 use super::sheets::Sheet;
 use super::{Ordered, PainterError};
 use crate::kernel::predicates::{Policy, Predicates};
-use crate::run::Run;
+use crate::run::{Growing, Run};
 use crate::spatial::Hierarchy;
 use crate::view::LineQuestion;
 use rustc_hash::FxHashMap;
@@ -53,6 +53,10 @@ pub(super) struct Graph {
     cuts: usize,
 }
 
+/// What a pair that is linked takes: itself, and a link of each sheet, in lists
+/// that may have room for twice as many.
+const PAIR_BYTES: usize = 2 * size_of::<(u32, u32, Relation)>() + 4 * size_of::<Link>();
+
 /// No component.
 const SETTLED: u32 = u32::MAX;
 
@@ -80,9 +84,10 @@ fn linked<P: Policy>(
 ) -> Result<Graph, PainterError> {
     let boxes: Vec<_> = sheets.iter().map(|sheet| sheet.bounds).collect();
     let hierarchy = Hierarchy::new(&boxes);
-    let start = || (Judge::<P>::new(Predicates::new(question.points)), Vec::new());
-    let found = hierarchy.overlapping_pairs(start, |(judge, found), a, b| {
-        if run.check().is_err() {
+    let judge = || Judge::<P>::new(Predicates::new(question.points));
+    let start = || (judge(), Vec::new(), Growing::new(run, PAIR_BYTES));
+    let found = hierarchy.overlapping_pairs(run, start, |(judge, found, growing), a, b| {
+        if !growing.goes_on(found.len()) {
             return;
         }
         let (a, b) = (a.min(b), a.max(b));
@@ -94,7 +99,8 @@ fn linked<P: Policy>(
     });
     run.check()?;
     let mut links: Vec<Vec<Link>> = vec![Vec::new(); sheets.len()];
-    for (judge, found) in found {
+    for (judge, found, mut growing) in found {
+        growing.finish(found.len())?;
         judge.report(run);
         for (a, b, relation) in found {
             links[a as usize].push(Link { to: b, relation });
@@ -119,16 +125,26 @@ impl Graph {
         let mut open = self.components_of(all, &mut scratch, &mut next_label);
         while let Some(mut component) = open.pop() {
             run.check()?;
-            let chosen = choose(self, judge, &component);
+            run.advance(0);
+            let chosen = choose(self, judge, &component, run);
+            run.check()?;
             if chosen.is_empty() {
                 return Err(PainterError::NoCut);
             }
             for cut in chosen {
+                run.take(self.bytes_of_cut(cut))?;
                 component.extend(self.cut(judge, cut));
             }
             open.extend(self.components_of(component, &mut scratch, &mut next_label));
         }
         Ok(())
+    }
+
+    /// What a cut takes at most: a sheet more, and its links.
+    fn bytes_of_cut(&self, chosen: Chosen) -> u64 {
+        let whole = chosen.sheet as usize;
+        let links = 2 * self.links[whole].len() * size_of::<Link>();
+        (self.sheets[whole].bytes() + links) as u64
     }
 
     /// The components among some sheets of one label, labelled anew.

@@ -12,7 +12,7 @@ use super::order::farthest_first;
 use super::sheets::Sheet;
 use super::{Ordered, PainterError};
 use crate::kernel::predicates::{Policy, Predicates};
-use crate::run::Run;
+use crate::run::{Growing, Run};
 use crate::spatial::Hierarchy;
 use crate::view::LineQuestion;
 
@@ -24,16 +24,22 @@ pub(super) fn order<P: Policy>(
 ) -> Result<Ordered, PainterError> {
     let judge = Judge::<P>::new(Predicates::new(question.points));
     let total = sheets.len() as u64;
-    let mut list = List::new(sheets, &judge);
-    let done = run.stage("painter-list", total, || list.paint(run));
+    let list = run.stage("painter-list", total, || {
+        let mut list = List::new(sheets, &judge, run)?;
+        list.paint(run)?;
+        Ok::<_, PainterError>(list)
+    })?;
     judge.report(run);
     run.count("painter-moves", list.moves);
-    done?;
     let List { mut sheets, order, cuts, .. } = list;
     let mut taken: Vec<Option<Sheet>> = sheets.drain(..).map(Some).collect();
     let sheets = order.into_iter().filter_map(|node| taken[node as usize].take()).collect();
     Ok(Ordered { sheets, cuts })
 }
+
+/// What a pair of neighbours takes, in lists that may have room for twice as
+/// many: itself, and one entry of each.
+const PAIR_BYTES: usize = 2 * size_of::<[u32; 2]>() + 4 * size_of::<u32>();
 
 struct List<'j, 'p, P: Policy> {
     judge: &'j Judge<'p, P>,
@@ -60,14 +66,26 @@ enum Verdict {
 }
 
 impl<'j, 'p, P: Policy> List<'j, 'p, P> {
-    fn new(sheets: Vec<Sheet>, judge: &'j Judge<'p, P>) -> Self {
+    fn new(
+        sheets: Vec<Sheet>,
+        judge: &'j Judge<'p, P>,
+        run: &Run<'_>,
+    ) -> Result<Self, PainterError> {
         let boxes: Vec<_> = sheets.iter().map(|sheet| sheet.bounds).collect();
         let mut near: Vec<Vec<u32>> = vec![Vec::new(); sheets.len()];
-        let pairs = Hierarchy::new(&boxes)
-            .overlapping_pairs(Vec::new, |found: &mut Vec<[u32; 2]>, a, b| found.push([a, b]));
-        for [a, b] in pairs.into_iter().flatten() {
-            near[a as usize].push(b);
-            near[b as usize].push(a);
+        let start = || (Vec::new(), Growing::new(run, PAIR_BYTES));
+        let pairs = Hierarchy::new(&boxes).overlapping_pairs(run, start, |found, a, b| {
+            let (found, growing) = found;
+            if growing.goes_on(found.len()) {
+                found.push([a, b]);
+            }
+        });
+        for (pairs, mut growing) in pairs {
+            growing.finish(pairs.len())?;
+            for [a, b] in pairs {
+                near[a as usize].push(b);
+                near[b as usize].push(a);
+            }
         }
         near.iter_mut().for_each(|list| list.sort_unstable());
         let count = sheets.len();
@@ -85,7 +103,7 @@ impl<'j, 'p, P: Policy> List<'j, 'p, P> {
             moves: 0,
         };
         list.sort();
-        list
+        Ok(list)
     }
 
     /// Sorts all that is left and takes off all marks.
@@ -101,6 +119,7 @@ impl<'j, 'p, P: Policy> List<'j, 'p, P> {
     fn paint(&mut self, run: &Run<'_>) -> Result<(), PainterError> {
         while let Some(&first) = self.moved.last().or(self.sorted.last()) {
             run.check()?;
+            run.advance(0);
             match self.verdict(first) {
                 Verdict::Paint => {
                     self.take(first);
@@ -115,7 +134,12 @@ impl<'j, 'p, P: Policy> List<'j, 'p, P> {
                     self.is_marked[other as usize] = true;
                     self.marked.push(other);
                 }
-                Verdict::Cut(other) => self.cut(first, other)?,
+                Verdict::Cut(other) => {
+                    let near = self.near[first as usize].len().max(self.near[other as usize].len());
+                    let sheet = self.sheets[first as usize].bytes();
+                    run.take((sheet + 4 * near * size_of::<u32>()) as u64)?;
+                    self.cut(first, other)?;
+                }
             }
         }
         Ok(())

@@ -51,6 +51,11 @@ impl Sheet {
         Some(if other.facing == Sign::Negative { [below, above] } else { [above, below] })
     }
 
+    /// What it takes in memory.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<Self>() + self.polygon.heap_bytes()
+    }
+
     /// The planes through the eye and its sides.
     pub(super) fn shadow(
         &self,
@@ -67,6 +72,7 @@ pub(super) fn sheets<P: Policy>(
 ) -> Result<Vec<Sheet>, Cancelled> {
     let parts = map_chunks(faces.list.len(), PART, |part| {
         run.check()?;
+        run.advance(part.len() as u64);
         let predicates = Predicates::<P>::new(question.points);
         let sheet = |i| sheet(question, &predicates, i as u32, &faces.list[i]);
         let sheets: Vec<Sheet> = part.filter_map(sheet).collect();
@@ -75,7 +81,9 @@ pub(super) fn sheets<P: Policy>(
     });
     let mut sheets = Vec::new();
     for part in parts {
-        sheets.extend(part?);
+        let part = part?;
+        run.take(part.iter().map(|sheet: &Sheet| sheet.bytes() as u64).sum())?;
+        sheets.extend(part);
     }
     Ok(sheets)
 }

@@ -29,7 +29,7 @@ impl PaintTree {
         run.check()?;
         let predicates = Predicates::<P>::new(question.points);
         let polygons = faces.list.iter().map(|face| face.polygon.clone());
-        let tree = run.stage("painter-tree", count, || Bsp::new(&predicates, polygons));
+        let tree = run.stage("painter-tree", count, || Bsp::new(&predicates, polygons, run))?;
         run.merge(&predicates.counters());
         run.count("painter-cuts", tree.cuts() as u64);
         run.count("painter-tree-nodes", tree.node_count() as u64);

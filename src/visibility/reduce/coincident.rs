@@ -21,7 +21,7 @@ use super::rounded::RoundedPiece;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
 use crate::model::{LineClass, LineOrigin};
-use crate::run::{Run, concat_map, map_chunks, map_indexed, sort_by};
+use crate::run::{Cancelled, Run, concat_map, map_chunks, map_indexed, sort_by};
 use crate::view::{LinePiece, LineQuestion};
 use glam::DVec2;
 use std::cmp::Ordering;
@@ -43,19 +43,24 @@ pub(super) fn resolve_coincident<P: Policy>(
     pieces: &[RoundedPiece],
     origins_wanted: bool,
     run: &Run<'_>,
-) -> (Vec<LinePiece>, Vec<Origin>) {
-    let groups = groups_of::<P>(question, pieces, run);
+) -> Result<(Vec<LinePiece>, Vec<Origin>), Cancelled> {
+    let groups = groups_of::<P>(question, pieces, run)?;
+    // Made in parts, joined, and perhaps brought into another order.
+    let each = 3 * size_of::<LinePiece>() + usize::from(origins_wanted) * size_of::<Origin>();
+    run.take((pieces.len() * each) as u64)?;
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
         let origins = origins_wanted.then(|| Vec::with_capacity(part.len()));
         let count = part.len();
         let (drawn, indices) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut found = Resolved { pieces: drawn, indices, origins, runs: 0 };
-        for group in part {
-            found.add(question, &predicates, pieces, groups.get(group));
+        for group in part.take_while(|_| !run.is_stopped()) {
+            run.advance(groups.get(group).len() as u64);
+            found.add(question, &predicates, pieces, groups.get(group), run);
         }
         (found, predicates.counters())
     });
+    run.check()?;
     let mut runs = 0;
     let mut first_runs = Vec::with_capacity(resolved.len());
     for (found, counters) in &resolved {
@@ -73,11 +78,11 @@ pub(super) fn resolve_coincident<P: Policy>(
     let (pieces, origins) =
         (concat_map(&lists, renumbered), concat_map(&origins, |_, origin| *origin));
     if indices.is_sorted() {
-        return (pieces, origins);
+        return Ok((pieces, origins));
     }
     let mut order: Vec<[u32; 2]> = indices.into_iter().zip(0..).map(Into::into).collect();
     sort_by(&mut order, Ord::cmp);
-    (reordered(&pieces, &order), reordered(&origins, &order))
+    Ok((reordered(&pieces, &order), reordered(&origins, &order)))
 }
 
 /// A list, which may be empty, in an order of its indices.
@@ -106,6 +111,7 @@ impl Resolved {
         predicates: &Predicates<'_, P>,
         pieces: &[RoundedPiece],
         group: &[u32],
+        run: &Run<'_>,
     ) {
         let piece = |index: u32| pieces[index as usize];
         match group {
@@ -119,7 +125,7 @@ impl Resolved {
                 self.append(question, group.iter().copied().zip(followed));
             }
             _ => {
-                let parts = ImageLine::new(question, predicates, pieces, group).resolve();
+                let parts = ImageLine::new(question, predicates, pieces, group).resolve(run);
                 let parts = parts.into_iter().map(|(member, part)| (group[member as usize], part));
                 self.append(question, parts);
             }
@@ -272,8 +278,9 @@ impl<'a, P: Policy> ImageLine<'a, P> {
     }
 
     /// Draws each stretch once: parts of pieces with the indices of these,
-    /// in their order and along them.
-    fn resolve(mut self) -> Vec<(u32, RoundedPiece)> {
+    /// in their order and along them. Where many pieces lie on one another it
+    /// takes long, and ends early once `asked` is stopped.
+    fn resolve(mut self, asked: &Run<'_>) -> Vec<(u32, RoundedPiece)> {
         let mut stops = std::mem::take(&mut self.stops);
         stops.sort_by(|a, b| self.compare(a, b));
         let mut active: BTreeSet<(u32, u32)> = BTreeSet::new();
@@ -282,6 +289,9 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         let mut outlines = 0;
         let mut run = 0;
         for group in stops.chunk_by(|a, b| self.compare(a, b) == Ordering::Equal) {
+            if asked.is_stopped() {
+                break;
+            }
             for stop in group {
                 let entry = (self.rank[stop.piece as usize], stop.piece);
                 let own = i32::from(self.pieces[stop.piece as usize].outline);

@@ -6,10 +6,13 @@
 
 use super::rounded::RoundedPiece;
 use crate::kernel::predicates::{Policy, Predicates};
-use crate::run::Run;
+use crate::run::{Cancelled, Growing, Run};
 use crate::spatial::{Hierarchy, Rounding};
 use crate::view::LineQuestion;
 use glam::{DVec2, Vec3A};
+
+/// What a pair takes in a list that has room for twice as many.
+const PAIR_BYTES: usize = 2 * size_of::<[u32; 2]>();
 
 /// Gathers collinear pieces that touch. Every piece is in one group; groups
 /// are ordered by their first piece and sorted within.
@@ -17,19 +20,26 @@ pub(super) fn groups_of<P: Policy>(
     question: &LineQuestion<'_>,
     pieces: &[RoundedPiece],
     run: &Run<'_>,
-) -> Groups {
+) -> Result<Groups, Cancelled> {
     let hierarchy = image_hierarchy(pieces);
     let found = hierarchy.overlapping_pairs(
-        || (Predicates::<P>::new(question.points), Vec::new()),
-        |(predicates, pairs), a, b| {
+        run,
+        || (Predicates::<P>::new(question.points), Vec::new(), Growing::new(run, PAIR_BYTES)),
+        |(predicates, pairs, growing), a, b| {
+            if !growing.goes_on(pairs.len()) {
+                return;
+            }
             let (first, second) = (&pieces[a as usize], &pieces[b as usize]);
             if first.line == second.line || are_collinear(question, predicates, first, second) {
                 pairs.push([a, b]);
             }
         },
     );
+    run.check()?;
     let mut parents: Vec<u32> = (0..pieces.len() as u32).collect();
-    for (predicates, pairs) in found {
+    for (predicates, pairs, mut growing) in found {
+        growing.finish(pairs.len())?;
+        growing.throw_away();
         run.merge(&predicates.counters());
         run.count("collinear-pairs", pairs.len() as u64);
         for [a, b] in pairs {
@@ -38,7 +48,7 @@ pub(super) fn groups_of<P: Policy>(
             parents[a.max(b) as usize] = a.min(b);
         }
     }
-    Groups::of_trees(parents)
+    Ok(Groups::of_trees(parents))
 }
 
 /// The root of a tree of parents, halving the path on the way.

@@ -29,7 +29,7 @@ const PART: usize = 2048;
 ///
 /// # Errors
 ///
-/// If the run is cancelled.
+/// If the run is cancelled or reaches a limit.
 pub fn reduce<P: Policy>(
     question: &LineQuestion<'_>,
     answer: &ExactLines,
@@ -45,7 +45,7 @@ pub fn reduce<P: Policy>(
 ///
 /// # Errors
 ///
-/// If the run is cancelled.
+/// If the run is cancelled or reaches a limit.
 pub fn reduce_with_crossings<P: Policy>(
     question: &LineQuestion<'_>,
     answer: &ExactLines,
@@ -54,8 +54,7 @@ pub fn reduce_with_crossings<P: Policy>(
     let (pieces, origins) = resolved::<P>(question, answer, true, run)?;
     let crossings = run.stage("crossings", pieces.len() as u64, || {
         find_crossings::<P>(question, &pieces, &origins, run)
-    });
-    run.check()?;
+    })?;
     Ok((drawn(question, pieces, run), crossings))
 }
 
@@ -66,23 +65,28 @@ fn resolved<P: Policy>(
     origins_wanted: bool,
     run: &Run<'_>,
 ) -> Result<(Vec<LinePiece>, Vec<Origin>), Cancelled> {
-    let pieces = run.stage("rounding", answer.piece_count() as u64, || {
+    let count = answer.piece_count() as u64;
+    // Made in parts, then joined.
+    let rounded = 2 * count * size_of::<RoundedPiece>() as u64;
+    let pieces = run.stage("rounding", count, || {
+        run.take(rounded)?;
         let parts = map_chunks(answer.len(), PART, |part| {
             let predicates = Predicates::<P>::new(question.points);
             let count = part.clone().map(|line| answer.line(line).len()).sum();
             let mut pieces = Vec::with_capacity(count);
-            for line in part {
+            run.advance(count as u64);
+            for line in part.take_while(|_| !run.is_stopped()) {
                 round_line(question, &predicates, line as u32, answer.line(line), &mut pieces);
             }
             (pieces, predicates.counters())
         });
-        gather(&parts, run)
-    });
-    run.check()?;
-    let resolved = run.stage("coincident lines", pieces.len() as u64, || {
+        run.check()?;
+        Ok(gather(&parts, run))
+    })?;
+    let resolved = run.stage("coincident lines", 2 * pieces.len() as u64, || {
         resolve_coincident::<P>(question, &pieces, origins_wanted, run)
-    });
-    run.check()?;
+    })?;
+    run.give_back(rounded);
     Ok(resolved)
 }
 

@@ -19,7 +19,7 @@
 use super::coincident::Origin;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Policy, Predicates};
-use crate::run::{Run, map_indexed};
+use crate::run::{Cancelled, Growing, Run, map_indexed};
 use crate::spatial::{Bounds, Hierarchy, Rounding};
 use crate::view::{Crossing, LinePiece, LineQuestion};
 use glam::DVec2;
@@ -30,11 +30,17 @@ pub(super) fn find_crossings<P: Policy>(
     pieces: &[LinePiece],
     origins: &[Origin],
     run: &Run<'_>,
-) -> Vec<Crossing> {
+) -> Result<Vec<Crossing>, Cancelled> {
     let hierarchy = Hierarchy::new(&boxes(pieces, origins));
+    // Each is copied once, when the parts are joined.
+    let growing = || Growing::new(run, 2 * size_of::<Crossing>()).of_crossings();
     let found = hierarchy.overlapping_pairs(
-        || (Predicates::<P>::new(question.points), Vec::new()),
-        |(predicates, crossings), a, b| {
+        run,
+        || (Predicates::<P>::new(question.points), Vec::new(), growing()),
+        |(predicates, crossings, growing), a, b| {
+            if !growing.goes_on(crossings.len()) {
+                return;
+            }
             let [first, second] = [a, b].map(|index| origins[index as usize]);
             let images = [a, b].map(|index| pieces[index as usize].points);
             if first.line == second.line || !may_meet(images, first.slack + second.slack) {
@@ -50,13 +56,14 @@ pub(super) fn find_crossings<P: Policy>(
         },
     );
     let mut crossings = Vec::new();
-    for (predicates, found) in found {
+    for (predicates, found, mut growing) in found {
+        growing.finish(found.len())?;
         run.merge(&predicates.counters());
         crossings.extend(found);
     }
     crossings.sort_unstable();
     run.count("crossings-of-lines", crossings.len() as u64);
-    crossings
+    Ok(crossings)
 }
 
 /// Boxes of the images of pieces, rounded outward; depth is left open.

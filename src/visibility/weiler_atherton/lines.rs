@@ -55,6 +55,7 @@ pub fn region_lines<P: Policy>(
             let mut lines = ExactLines::default();
             let units = part.len() as u64;
             for line in part {
+                run.check()?;
                 lines.push_line(worker.pieces(line)?);
             }
             run.merge(&predicates.counters());

@@ -48,7 +48,7 @@ pub use lines::region_lines;
 
 use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::Mesh;
-use crate::polygon::clipping::{Clipper, FillRule, Operand, Operation, Polygon, Ring};
+use crate::polygon::clipping::{Clipper, Corner, FillRule, Operand, Operation, Polygon, Ring};
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::spatial::Group;
 use crate::view::{LineQuestion, Region, VisibleRegions};
@@ -124,7 +124,7 @@ pub fn visible_regions<P: Policy>(
             let Some(clipper) = Clipper::new(&predicates) else {
                 return Err(RegionsError::NoNearPlane);
             };
-            let units = part.len() as u64;
+            let clipper = clipper.within(run);
             let mut worker = Worker {
                 question,
                 options,
@@ -133,13 +133,19 @@ pub fn visible_regions<P: Policy>(
                 clipper,
                 cover: Cover::default(),
                 clips: 0,
+                run,
             };
-            let groups = &groups[part];
-            let regions: Vec<Region> =
-                groups.iter().filter_map(|group| worker.region(group.clone())).collect();
+            let mut regions = Vec::new();
+            for group in &groups[part] {
+                if let Some(region) = worker.region(group.clone()) {
+                    run.take(bytes_of(&region))?;
+                    regions.push(region);
+                }
+                run.advance(1);
+                run.check()?;
+            }
             run.count("faces-clipped", worker.clips);
             run.merge(&predicates.counters());
-            run.advance(units);
             Ok(regions)
         })
     });
@@ -197,6 +203,15 @@ struct Worker<'a, 'q, P: Policy> {
     clipper: Clipper<'a, 'q, P>,
     cover: Cover,
     clips: u64,
+    run: &'a Run<'a>,
+}
+
+/// What a region takes.
+fn bytes_of(region: &Region) -> u64 {
+    let rings = region.polygons.iter().flat_map(|polygon| &polygon.rings);
+    let corners: usize = rings.map(Vec::len).sum();
+    // Lists of corners may have room for twice as many.
+    (size_of::<Region>() + 2 * corners * size_of::<Corner>()) as u64
 }
 
 impl<P: Policy> Worker<'_, '_, P> {
@@ -279,9 +294,10 @@ impl<P: Policy> Worker<'_, '_, P> {
         let bounds = coordinates.bounds(subject.corners);
         let is_hidden = Cell::new(false);
         let mut forget = self.options.fault == Some(RegionFault::ForgetOccluder);
-        let may = |group: &Group| if is_hidden.get() { 0 } else { group.hiding(&bounds) };
+        let over = || is_hidden.get() || self.run.is_stopped();
+        let may = |group: &Group| if over() { 0 } else { group.hiding(&bounds) };
         hierarchy.visit(may, |other| {
-            if other == subject.triangle || is_hidden.get() {
+            if other == subject.triangle || over() {
                 return;
             }
             let Some(other) = self.sheet(other) else {

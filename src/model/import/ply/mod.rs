@@ -24,9 +24,13 @@ use self::rows::Rows;
 use super::super::{Color, Soup};
 use super::Found;
 use super::error::Read;
+use crate::run::Run;
+
+/// Rows between two questions whether to go on.
+const ROWS: u64 = 1 << 12;
 
 /// Reads a PLY file of any encoding.
-pub(super) fn read(bytes: &[u8]) -> Read<Found> {
+pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
     let Header { encoding, elements, vertex_count, payload } = header::read(bytes)?;
     let mut rows = Rows::new(encoding, payload, bytes);
     let mut found = Found::default();
@@ -37,6 +41,13 @@ pub(super) fn read(bytes: &[u8]) -> Read<Found> {
             continue;
         }
         for number in 0..element.count {
+            // Whatever is left out, the caller asks the run first.
+            if number % ROWS == 0 {
+                run.advance(0);
+                if run.is_stopped() {
+                    break;
+                }
+            }
             rows.begin(element, number)?;
             match element.name {
                 b"vertex" => reader.vertex(element, &mut rows)?,
