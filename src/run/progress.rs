@@ -103,9 +103,11 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     ///
-    /// If they are more than the limit allows; the run is then stopped.
+    /// If they are more than the limit allows, and then the run is stopped; or
+    /// if it was stopped before.
     pub fn hold(&self, crossings: u64) -> Result<(), Cancelled> {
-        self.holdings.hold(crossings, || self.stage_name())
+        self.holdings.hold(crossings, || self.stage_name())?;
+        self.check()
     }
 
     /// Notes that arrays of so many bytes are about to be made, or have grown
@@ -115,9 +117,11 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     ///
-    /// If the bytes are more than the limit allows; the run is then stopped.
+    /// If the bytes are more than the limit allows, and then the run is stopped;
+    /// or if it was stopped before.
     pub fn take(&self, bytes: u64) -> Result<(), Cancelled> {
-        self.holdings.take(bytes, || self.stage_name())
+        self.holdings.take(bytes, || self.stage_name())?;
+        self.check()
     }
 
     /// Notes that bytes that were taken are free again.

@@ -168,8 +168,10 @@ impl Hierarchy {
                     run.advance(0);
                 });
             }
-            let per_group = SIZE.pow(level as u32 + 1);
-            run.advance(per_group.min(self.items.len() - group * per_group) as u64);
+            if !run.is_stopped() {
+                let per_group = SIZE.pow(level as u32 + 1);
+                run.advance(per_group.min(self.items.len() - group * per_group) as u64);
+            }
             result
         })
     }

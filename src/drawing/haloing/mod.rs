@@ -73,6 +73,7 @@ pub(super) fn interrupt(
     let halo = Halo { pieces: &lines.pieces, chains, perspective: is_perspective(lines), radius };
     let mut gaps = map_chunks(crossings.len(), PART, |part| {
         let mut gaps = Vec::new();
+        run.advance(0);
         for crossing in crossings[part].iter().take_while(|_| !run.is_stopped()) {
             if drawn[crossing.near as usize] && drawn[crossing.far as usize] {
                 halo.find(crossing, &mut gaps);

@@ -108,6 +108,7 @@ pub fn warnock_windows<P: Policy>(
         while !waiting.is_empty() && waiting.len() < SHARED {
             for (window, list) in std::mem::take(&mut waiting) {
                 run.check()?;
+                run.advance(0);
                 top.step(window, list, &mut waiting);
             }
         }
@@ -118,6 +119,7 @@ pub fn warnock_windows<P: Policy>(
             let mut stack = waiting[part].to_vec();
             while let Some((window, list)) = stack.pop() {
                 run.check()?;
+                run.advance(0);
                 solver.step(window, list, &mut stack);
             }
             run.merge(&solver.judge.counters());

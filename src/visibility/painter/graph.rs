@@ -133,8 +133,10 @@ impl Graph {
             }
             for cut in chosen {
                 run.take(self.bytes_of_cut(cut))?;
-                component.extend(self.cut(judge, cut));
+                run.advance(0);
+                component.extend(self.cut(judge, cut, run));
             }
+            run.check()?;
             open.extend(self.components_of(component, &mut scratch, &mut next_label));
         }
         Ok(())
@@ -173,8 +175,13 @@ impl Graph {
     }
 
     /// Cuts one sheet by the plane of another; returns the new sheet, if the
-    /// plane still cuts it.
-    fn cut<P: Policy>(&mut self, judge: &Judge<'_, P>, chosen: Chosen) -> Option<u32> {
+    /// plane still cuts it. Links are left out once the run is stopped.
+    fn cut<P: Policy>(
+        &mut self,
+        judge: &Judge<'_, P>,
+        chosen: Chosen,
+        run: &Run<'_>,
+    ) -> Option<u32> {
         let whole = chosen.sheet as usize;
         let by = &self.sheets[chosen.by as usize];
         let [first, second] = self.sheets[whole].cut_by(&judge.predicates, by)?;
@@ -184,7 +191,8 @@ impl Graph {
         self.sheets.push(second);
         self.labels.push(self.labels[whole]);
         self.links.push(Vec::new());
-        for link in std::mem::take(&mut self.links[whole]) {
+        let links = std::mem::take(&mut self.links[whole]);
+        for link in links.into_iter().take_while(|_| !run.is_stopped()) {
             self.links[link.to as usize].retain(|back| back.to != chosen.sheet);
             let is_within = self.labels[link.to as usize] == self.labels[whole];
             for piece in [chosen.sheet, added] {
