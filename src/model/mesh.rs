@@ -265,6 +265,13 @@ impl Mesh {
         self.faces.as_ref().map_or(triangle, |faces| faces[triangle as usize])
     }
 
+    /// The number of a triangle's face within its object, in the file's order,
+    /// counted from 0.
+    pub fn face_number(&self, triangle: u32) -> u32 {
+        let object = self.object_of_triangle(triangle);
+        self.face_of(triangle) - self.objects[object as usize].faces.start
+    }
+
     /// The colour that the file gives a face.
     pub fn color_of(&self, face: u32) -> Option<Color> {
         self.colors.get(face as usize).copied().flatten()

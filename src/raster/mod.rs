@@ -24,6 +24,7 @@ mod tests;
 mod warnock;
 mod z_buffer;
 
+pub use crate::kernel::predicates::Probe;
 pub use a_buffer::{
     ABufferOptions, Division, Fragment, Fragments, MaskTable, Masks, Paint, Shading, a_buffer,
     coverage, preview, visible_fragments,
@@ -34,10 +35,10 @@ pub use horizon_columns::{ColumnPieces, ColumnsError, horizon_columns};
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
 pub use picture::Show;
-pub use ray_cast::ray_cast;
+pub use ray_cast::{ray_cast, ray_hits};
 pub use samples::Samples;
 pub use scanline::{scanline, spanning};
-pub use sheets::{Probe, SheetCounter};
+pub use sheets::SheetCounter;
 pub use span_buffer::{Compare, c_buffer, span_buffer, span_buffer_with};
 pub use warnock::{Stop, Subdivision, Window, warnock, warnock_vertex, warnock_windows};
 pub use z_buffer::z_buffer;

@@ -18,6 +18,7 @@ use crate::model::{View, ViewCoordinates};
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::spatial::Bounds;
 use crate::view::LineQuestion;
+use std::cmp::Ordering;
 
 /// Samples per task.
 const PART: usize = 1024;
@@ -68,6 +69,39 @@ pub fn ray_cast<P: Policy>(
         hits.extend(part?);
     }
     Ok(sampled.buffer(hits))
+}
+
+/// All triangles that the ray through one sample meets, nearest first, with
+/// the depth of each in world units, rounded. Borders of triangles belong to
+/// them; edge-on triangles are not met, nor is what lies behind the near
+/// plane. O(n) for n triangles.
+pub fn ray_hits<P: Policy>(
+    view: &View,
+    question: &LineQuestion<'_>,
+    samples: &Samples,
+    sample: [u32; 2],
+) -> Vec<(u32, f64)> {
+    let sampled = Sampled::new(view, question, samples);
+    let predicates = Predicates::<P>::new(sampled.points());
+    let vertex = sampled.vertex(sample);
+    let is_met = |&triangle: &u32| {
+        let (corners, facing) = sampled.triangle(triangle);
+        !facing.is_zero()
+            && covers(&predicates, corners, facing, vertex)
+            && predicates.meets_in_front(vertex, corners, facing)
+    };
+    let mut hits: Vec<u32> = (0..question.mesh.triangles().len() as u32).filter(is_met).collect();
+    hits.sort_by(|&a, &b| {
+        let [first, second] = [a, b].map(|triangle| sampled.triangle(triangle));
+        let nearer = predicates.nearer(vertex, first, second);
+        let tie = || match a == b {
+            true => Ordering::Equal,
+            false if sampled.precedes(a, b) => Ordering::Less,
+            false => Ordering::Greater,
+        };
+        Ordering::from(-nearer).then_with(tie)
+    });
+    hits.into_iter().map(|triangle| (triangle, sampled.depth(sample, triangle))).collect()
 }
 
 struct Caster<'a> {

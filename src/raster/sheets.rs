@@ -14,24 +14,15 @@
 
 use super::BoxTree;
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
+use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates, Probe};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
 use crate::spatial::Bounds;
 use crate::view::LineQuestion;
+use std::cmp::Ordering;
 
 /// Binary places of a probe's parameter.
 const WEIGHT: f64 = 9_007_199_254_740_992.0;
-
-/// An exact point strictly inside a piece of a line.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Probe {
-    /// The combination of the line's ends with these integer weights.
-    Weights([f64; 2]),
-    /// Some point between two places, for pieces shorter than a float can
-    /// divide.
-    Between([Place; 2]),
-}
 
 /// Counts sheets in front of points of a question's lines. One per worker.
 #[derive(Debug)]
@@ -94,20 +85,48 @@ impl<'a, 'q, P: Policy> SheetCounter<'a, 'q, P> {
     /// Triangles that hide a point of a line: on the line's left side and
     /// on its right side.
     pub fn count(&self, line: &FeatureLine, probe: Probe) -> [u32; 2] {
+        let mut sheets = [0; 2];
+        self.each(line, probe, |_, hides| {
+            sheets[0] += u32::from(hides[0]);
+            sheets[1] += u32::from(hides[1]);
+        });
+        sheets
+    }
+
+    /// The triangles that [`Self::count`] counts, with the sides on which
+    /// they hide, nearest to the eye first: by the exact order of their
+    /// planes on the ray of the point. Of planes that are one plane there,
+    /// the triangle that comes first in the mesh.
+    pub fn hiding(&self, line: &FeatureLine, probe: Probe) -> Vec<(u32, [bool; 2])> {
+        let mut found = Vec::new();
+        self.each(line, probe, |triangle, hides| found.push((triangle, hides)));
+        let point = (self.question.carrier(line), probe);
+        let plane = |triangle: u32| {
+            let corners = self.question.mesh.triangles()[triangle as usize];
+            (corners, self.question.facing[triangle as usize])
+        };
+        found.sort_by(|&(a, _), &(b, _)| {
+            let nearer = self.predicates.nearer_at(point, plane(a), plane(b));
+            Ordering::from(-nearer).then(a.cmp(&b))
+        });
+        found
+    }
+
+    /// Calls `found` with all triangles that hide a point, and on which sides.
+    fn each(&self, line: &FeatureLine, probe: Probe, mut found: impl FnMut(u32, [bool; 2])) {
         let carrier = self.question.carrier(line);
         let own = match line.origin {
             LineOrigin::Intersection(i) => self.question.intersections[i as usize].triangles,
             LineOrigin::Edge(_) | LineOrigin::Loose(_) => [u32::MAX; 2],
         };
-        let mut sheets = [0; 2];
         self.tree.in_front(&self.area(line), |triangle| {
             if !own.contains(&triangle) {
                 let hides = self.hides(carrier, probe, triangle);
-                sheets[0] += u32::from(hides[0]);
-                sheets[1] += u32::from(hides[1]);
+                if hides != [false; 2] {
+                    found(triangle, hides);
+                }
             }
         });
-        sheets
     }
 
     /// Whether a triangle hides a point on its line's left and right side.

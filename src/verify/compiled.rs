@@ -10,7 +10,7 @@ use crate::{raster, verify, visibility};
 
 /// What is to be compiled; nobody calls it.
 #[used]
-static COMPILED: fn() -> [*const (); 23] = || {
+static COMPILED: fn() -> [*const (); 24] = || {
     [
         PreparedView::new::<Exact> as *const (),
         PreparedView::with_wishes::<Exact> as *const (),
@@ -35,5 +35,6 @@ static COMPILED: fn() -> [*const (); 23] = || {
         verify::verify_regions::<Exact> as *const (),
         verify::verify_painting::<Exact> as *const (),
         verify::cross_check::<Exact> as *const (),
+        raster::ray_hits::<Exact> as *const (),
     ]
 };

@@ -17,6 +17,9 @@
 //! holds the image-space methods against each other, exactly too,
 //! [`verify_regions`] what is seen of faces against images and lines, and
 //! [`verify_painting`] the painter's orders against planes and images.
+//!
+//! When a drawing surprises, an [`Explainer`] tells of one place which line is
+//! there and which faces hide it.
 
 mod against_image;
 mod against_judge;
@@ -24,6 +27,7 @@ mod against_judge;
 mod compiled;
 mod cover;
 mod cross_check;
+mod explain;
 mod painting;
 mod places;
 mod regions;
@@ -32,6 +36,9 @@ mod report;
 mod tests;
 
 pub use cross_check::{Comparison, CrossCheck, cross_check};
+pub use explain::{
+    CoincidentLine, EndCause, EndThere, Explainer, Explanation, FaceThere, LineThere, Side,
+};
 pub use painting::{PaintReport, PaintTally, PaintVerifyOptions, PainterRow, verify_painting};
 pub use regions::{RegionReport, RegionTally, RegionVerifyOptions, Surplus, verify_regions};
 pub use report::{Check, Difference, DifferenceSegment, Report, Tally};

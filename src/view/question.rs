@@ -1,5 +1,6 @@
 //! What a line method is asked.
 
+use super::LineSource;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Points};
 use crate::model::{
@@ -72,6 +73,23 @@ impl LineQuestion<'_> {
                 Carrier::edge(a, b)
             }
             LineOrigin::Intersection(index) => self.intersections[index as usize].carrier,
+        }
+    }
+    /// The object of `line`, the first face's of an intersection line, and
+    /// which of its edges or faces it is, by their numbers in the file.
+    pub fn source(&self, line: &FeatureLine) -> (u32, LineSource) {
+        let edge = |[a, b]: [u32; 2]| {
+            let source = LineSource::Edge([a, b].map(|vertex| self.mesh.vertex_number(vertex)));
+            (self.mesh.object_of_vertex(a), source)
+        };
+        match line.origin {
+            LineOrigin::Edge(index) => edge(self.mesh.edges().ends(index)),
+            LineOrigin::Loose(index) => edge(self.mesh.loose_lines()[index as usize]),
+            LineOrigin::Intersection(index) => {
+                let triangles = self.intersections[index as usize].triangles;
+                let faces = triangles.map(|triangle| self.mesh.face_number(triangle));
+                (self.mesh.object_of_triangle(triangles[0]), LineSource::Faces(faces))
+            }
         }
     }
 }

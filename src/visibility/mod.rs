@@ -23,6 +23,7 @@ pub use outline::outlined;
 pub use painter::{
     PaintTree, Painter, PainterError, PainterFault, PainterOptions, paint_order, painted_image,
 };
+pub(crate) use reduce::reduce_with_origins;
 pub use reduce::{reduce, reduce_with_crossings};
 pub use roberts::roberts;
 pub use visible_lines::visible_lines;

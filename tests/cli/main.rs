@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod clip;
+mod explaining;
 mod fixture;
 mod heights;
 mod outlines;

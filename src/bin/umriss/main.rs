@@ -16,6 +16,8 @@ mod camera_file;
 mod camera_flags;
 mod clip;
 mod draw;
+mod explain;
+mod explanation;
 mod failure;
 #[cfg(feature = "png")]
 mod finish;
@@ -66,6 +68,7 @@ struct Cli {
 enum Command {
     Clip(Box<clip::Clip>),
     Draw(Box<draw::Draw>),
+    Explain(Box<explain::Explain>),
     Info(Box<info::Info>),
     #[cfg(feature = "png")]
     Raster(Box<raster::Raster>),
@@ -79,6 +82,7 @@ fn main() -> ExitCode {
         Ok(cli) => match cli.command {
             Command::Clip(clip) => clip.run(),
             Command::Draw(draw) => draw.run(),
+            Command::Explain(explain) => explain.run(),
             Command::Info(info) => info.run(),
             #[cfg(feature = "png")]
             Command::Raster(raster) => raster.run(),

@@ -52,7 +52,18 @@ pub(crate) fn read_scene(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    scene_of(&sources(files)?, flags, &|_| Ok(()), session, run)
+    read_selected(files, flags, &|_| Ok(()), session, run)
+}
+
+/// Reads models into one scene, some of their objects.
+pub(crate) fn read_selected(
+    files: &[PathBuf],
+    flags: &ModelFlags,
+    select: Select<'_>,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<Scene, Failure> {
+    scene_of(&sources(files)?, flags, select, session, run)
 }
 
 /// Leaves out objects that are not wanted.

@@ -86,3 +86,14 @@ pub enum Place {
     /// Where a plane cuts the carrier strictly between its ends.
     Cut(Cut),
 }
+
+/// A point strictly inside a part of a carrier: exact, and no end of anything
+/// unless by chance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Probe {
+    /// The combination of the carrier's ends with these integer weights.
+    Weights([f64; 2]),
+    /// Some point between two places, for parts shorter than a float can
+    /// divide.
+    Between([Place; 2]),
+}

@@ -131,7 +131,7 @@ pub(super) fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
 }
 
 /// `[E, p, k, r]` with the axis direction `k` at infinity.
-fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
+pub(super) fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
     let pivot = points.vertex::<R>(r);
     let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
     determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
@@ -169,7 +169,7 @@ pub(super) fn weight<R: Ring>(points: &Points, point: Point) -> R {
 }
 
 /// How much the degree grows when a formula is applied to `point`.
-fn weight_degree(point: Point) -> u32 {
+pub(super) fn weight_degree(point: Point) -> u32 {
     match point {
         Point::Vertex(_) => 0,
         Point::Piercing(_) => 3,
@@ -393,7 +393,7 @@ impl Formula for SkewCarriers {
 /// [`at_point`] as one function: four of them within one another would be
 /// a great deal of code.
 #[inline(never)]
-fn apply<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
+pub(super) fn apply<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
     at_point(points, point, f)
 }
 
@@ -494,7 +494,7 @@ pub(super) struct Located {
 }
 
 impl Located {
-    fn degree(&self) -> u32 {
+    pub(super) fn degree(&self) -> u32 {
         let [start, end] = self.carrier.ends.map(weight_degree);
         match self.place {
             Place::Start => start,
@@ -504,7 +504,7 @@ impl Located {
     }
 
     /// The functional `f` at the place, times a positive weight.
-    fn apply<R: Ring>(&self, points: &Points, f: &dyn Fn(u32) -> R) -> R {
+    pub(super) fn apply<R: Ring>(&self, points: &Points, f: &dyn Fn(u32) -> R) -> R {
         let [start, end] = self.carrier.ends;
         match self.place {
             Place::Start => at_point(points, start, f),

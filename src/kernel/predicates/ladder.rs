@@ -364,7 +364,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
     }
 
     /// A place with the sign that makes its weight positive.
-    fn locate(&self, carrier: Carrier, place: Place) -> Located {
+    pub(super) fn locate(&self, carrier: Carrier, place: Place) -> Located {
         Located {
             carrier,
             place,

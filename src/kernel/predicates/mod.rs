@@ -37,9 +37,10 @@ mod ladder;
 mod offset;
 mod plane;
 mod points;
+mod probe;
 mod ray;
 
-pub use carrier::{Carrier, Cut, Piercing, Place, Point};
+pub use carrier::{Carrier, Cut, Piercing, Place, Point, Probe};
 pub use chart::{Chart, ImageLine, ImagePoint};
 pub use collinear::are_collinear;
 pub use estimate::Estimate;

@@ -15,4 +15,4 @@ mod sampled;
 pub use face::{Border, Face, Judge};
 pub use form::{Footprint, Form};
 pub use grid::Samples;
-pub use sampled::Sampled;
+pub use sampled::{Sampled, depth_on_ray};

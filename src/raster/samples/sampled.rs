@@ -146,29 +146,33 @@ impl<'a> Sampled<'a> {
     pub fn buffer(&self, items: Vec<Option<u32>>) -> ItemBuffer {
         let width = self.samples.width();
         let depths = map_chunks(items.len(), PART, |part| {
-            let depth = |i: usize| self.depth([i as u32 % width, i as u32 / width], items[i]);
+            let at = |i: usize| [i as u32 % width, i as u32 / width];
+            let depth =
+                |i: usize| items[i].map_or(f64::INFINITY, |triangle| self.depth(at(i), triangle));
             part.map(depth).collect::<Vec<f64>>()
         });
         let depths: Vec<f64> = depths.concat();
         ItemBuffer::new(width, items.into_iter().zip(depths))
     }
 
-    /// Depth of the point that a sample sees, rounded.
-    fn depth(&self, [column, row]: [u32; 2], hit: Option<u32>) -> f64 {
-        let Some(triangle) = hit else {
-            return f64::INFINITY;
-        };
+    /// Depth of the point of a triangle's plane that a sample sees, rounded.
+    pub(in crate::raster) fn depth(&self, [column, row]: [u32; 2], triangle: u32) -> f64 {
         let vertices = self.question.mesh.vertices();
-        let [a, b, c] = self.triangle(triangle).0.map(|v| vertices[v as usize]);
-        let x: DVec3 = self.samples.point(column, row);
-        let normal = (b - a).cross(c - a);
-        let ray = match self.view.eye {
-            Eye::At(eye) => eye - x,
-            Eye::Towards(direction) => direction,
-        };
-        let along = normal.dot(a - x) / normal.dot(ray);
-        self.view.frame.depth(x + ray * along)
+        let corners = self.triangle(triangle).0.map(|v| vertices[v as usize]);
+        depth_on_ray(self.view, corners, self.samples.point(column, row))
     }
+}
+
+/// Depth of the point in which the ray from the eye through `x` meets the
+/// plane of a triangle that is not edge-on, world units, rounded.
+pub fn depth_on_ray(view: &View, [a, b, c]: [DVec3; 3], x: DVec3) -> f64 {
+    let normal = (b - a).cross(c - a);
+    let ray = match view.eye {
+        Eye::At(eye) => eye - x,
+        Eye::Towards(direction) => direction,
+    };
+    let along = normal.dot(a - x) / normal.dot(ray);
+    view.frame.depth(x + ray * along)
 }
 
 fn compare(a: &[f64; 3], b: &[f64; 3]) -> Ordering {

@@ -32,6 +32,8 @@ use std::collections::BTreeSet;
 pub(super) struct Origin {
     /// Index of its line.
     pub(super) line: u32,
+    /// Which piece of the answer it is part of, numbered through all lines.
+    pub(super) piece: u32,
     /// A bound of the error of its image.
     pub(super) slack: f64,
 }
@@ -144,7 +146,7 @@ impl Resolved {
             self.runs = self.runs.max(first + piece.run + 1);
             let run = first + piece.run;
             if let Some(origins) = &mut self.origins {
-                origins.push(Origin { line: piece.line, slack: piece.slack });
+                origins.push(Origin { line: piece.line, piece: index, slack: piece.slack });
             }
             self.pieces.push(line_piece(question, &RoundedPiece { run, ..piece }));
         }

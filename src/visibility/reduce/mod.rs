@@ -14,9 +14,8 @@ mod passing;
 mod rounded;
 
 use crate::kernel::predicates::{Policy, Predicates};
-use crate::model::LineOrigin;
 use crate::run::{Cancelled, Counters, Run, concat_map, map_chunks};
-use crate::view::{Crossing, ExactLines, LinePiece, LineQuestion, LineSource, VisibleLines};
+use crate::view::{Crossing, ExactLines, LinePiece, LineQuestion, VisibleLines};
 use coincident::{Origin, resolve_coincident};
 use passing::find_crossings;
 use rounded::{RoundedPiece, round_line};
@@ -56,6 +55,22 @@ pub fn reduce_with_crossings<P: Policy>(
         find_crossings::<P>(question, &pieces, &origins, run)
     })?;
     Ok((drawn(question, pieces, run), crossings))
+}
+
+/// As [`reduce`], and of which piece of the answer each piece of the drawing
+/// is part: its line, and its number through all lines.
+///
+/// # Errors
+///
+/// If the run is cancelled.
+pub(crate) fn reduce_with_origins<P: Policy>(
+    question: &LineQuestion<'_>,
+    answer: &ExactLines,
+    run: &Run<'_>,
+) -> Result<(VisibleLines, Vec<[u32; 2]>), Cancelled> {
+    let (pieces, origins) = resolved::<P>(question, answer, true, run)?;
+    let origins = origins.into_iter().map(|origin| [origin.line, origin.piece]).collect();
+    Ok((drawn(question, pieces, run), origins))
 }
 
 /// Rounded pieces that do not lie on one another.
@@ -106,24 +121,8 @@ fn gather<T: Copy + Send + Sync>(parts: &[(Vec<T>, Counters)], run: &Run<'_>) ->
 
 /// The public form of a piece.
 fn line_piece(question: &LineQuestion<'_>, piece: &RoundedPiece) -> LinePiece {
-    let mesh = question.mesh;
     let line = &question.lines[piece.line as usize];
-    let edge = |[a, b]: [u32; 2]| {
-        let source = LineSource::Edge([a, b].map(|vertex| mesh.vertex_number(vertex)));
-        (mesh.object_of_vertex(a), source)
-    };
-    let (object, source) = match line.origin {
-        LineOrigin::Edge(index) => edge(mesh.edges().ends(index)),
-        LineOrigin::Loose(index) => edge(mesh.loose_lines()[index as usize]),
-        LineOrigin::Intersection(index) => {
-            let triangles = question.intersections[index as usize].triangles;
-            let faces = triangles.map(|triangle| {
-                let object = mesh.object_of_triangle(triangle);
-                mesh.face_of(triangle) - mesh.objects()[object as usize].faces.start
-            });
-            (mesh.object_of_triangle(triangles[0]), LineSource::Faces(faces))
-        }
-    };
+    let (object, source) = question.source(line);
     LinePiece {
         class: line.class,
         invisibility: piece.invisibility,
