@@ -37,7 +37,8 @@ use umriss::visibility::{
     visible_regions,
 };
 
-/// How long a stage works before it is cancelled.
+/// How long a stage works before it is cancelled. On a machine where it has
+/// ended by then it is made again, and its first report cancels it.
 const WAIT: Duration = Duration::from_millis(20);
 
 /// What may still be reported after a cancel: parts that are passed over may
@@ -56,6 +57,9 @@ struct Listener<'a> {
     stage: &'static str,
     begun: Mutex<Sender<()>>,
     cancel: &'a AtomicBool,
+    asked: Mutex<Option<Instant>>,
+    /// Whether the first report cancels the stage.
+    at_once: bool,
     inside: AtomicBool,
     total: AtomicU64,
     reports: AtomicU64,
@@ -63,6 +67,13 @@ struct Listener<'a> {
     after: AtomicU64,
     reports_after: AtomicU64,
     begun_after: Mutex<Vec<&'static str>>,
+}
+
+impl Listener<'_> {
+    fn ask(&self) {
+        self.asked.lock().unwrap().get_or_insert_with(Instant::now);
+        self.cancel.store(true, Ordering::SeqCst);
+    }
 }
 
 impl Progress for Listener<'_> {
@@ -84,6 +95,9 @@ impl Progress for Listener<'_> {
         if self.inside.load(Ordering::SeqCst) {
             reports.fetch_add(1, Ordering::SeqCst);
             sum.fetch_add(units, Ordering::SeqCst);
+            if self.at_once {
+                self.ask();
+            }
         }
     }
 
@@ -91,13 +105,27 @@ impl Progress for Listener<'_> {
 }
 
 /// Cancels `work` while it is in a stage; `work` says why it stopped.
-fn cancel_in(stage: &'static str, work: impl FnOnce(&Run<'_>) -> Option<Cancelled>) {
+fn cancel_in(stage: &'static str, mut work: impl FnMut(&Run<'_>) -> Option<Cancelled>) {
+    if !is_cancelled(stage, false, &mut work) {
+        assert!(is_cancelled(stage, true, &mut work), "{stage}: it ended in spite of the cancel");
+    }
+}
+
+/// Whether `work` was stopped by a cancel, after a while or at once; in the
+/// first case it is held against what may be done after one.
+fn is_cancelled(
+    stage: &'static str,
+    at_once: bool,
+    mut work: impl FnMut(&Run<'_>) -> Option<Cancelled>,
+) -> bool {
     let cancel = AtomicBool::new(false);
     let (begun, waiting): (_, Receiver<()>) = channel();
     let listener = Listener {
         stage,
         begun: Mutex::new(begun),
         cancel: &cancel,
+        asked: Mutex::new(None),
+        at_once,
         inside: AtomicBool::new(false),
         total: AtomicU64::new(0),
         reports: AtomicU64::new(0),
@@ -107,14 +135,12 @@ fn cancel_in(stage: &'static str, work: impl FnOnce(&Run<'_>) -> Option<Cancelle
         begun_after: Mutex::new(Vec::new()),
     };
     let run = Run::new(&listener).with_cancel(&cancel);
-    let asked = Mutex::new(None);
     let (stopped, ended) = std::thread::scope(|scope| {
-        let (asked, cancel) = (&asked, &cancel);
+        let listener = &listener;
         scope.spawn(move || {
             if waiting.recv().is_ok() {
                 std::thread::sleep(WAIT);
-                *asked.lock().unwrap() = Some(Instant::now());
-                cancel.store(true, Ordering::SeqCst);
+                listener.ask();
             }
         });
         let stopped = work(&run);
@@ -123,9 +149,12 @@ fn cancel_in(stage: &'static str, work: impl FnOnce(&Run<'_>) -> Option<Cancelle
         *listener.begun.lock().unwrap() = channel().0;
         (stopped, ended)
     });
-    let asked = asked.into_inner().unwrap();
-    let asked = asked.unwrap_or_else(|| panic!("{stage}: the stage never began"));
-    assert_eq!(stopped, Some(Cancelled::Asked), "{stage}: it ended before the cancel");
+    assert!(listener.inside.load(Ordering::SeqCst), "{stage}: the stage never began");
+    let asked = *listener.asked.lock().unwrap();
+    let (Some(asked), Some(stopped)) = (asked, stopped) else {
+        return false;
+    };
+    assert_eq!(stopped, Cancelled::Asked, "{stage}");
     let load = |sum: &AtomicU64| sum.load(Ordering::SeqCst);
     let (total, reports) = (load(&listener.total), load(&listener.reports));
     let (before, after) = (load(&listener.before), load(&listener.after));
@@ -133,10 +162,14 @@ fn cancel_in(stage: &'static str, work: impl FnOnce(&Run<'_>) -> Option<Cancelle
         "{stage:<22} answered in {:>7.1} ms: {before} units before, {after} after, of {total}, {reports} reports",
         ended.saturating_duration_since(asked).as_secs_f64() * 1e3,
     );
+    if at_once {
+        return true;
+    }
     let reports_after = load(&listener.reports_after);
     assert!(reports_after <= MOST_REPORTS, "{stage}: {reports_after} reports after the cancel");
     assert!(after <= total / 2, "{stage}: {after} of {total} units after the cancel");
     assert_eq!(*listener.begun_after.lock().unwrap(), [""; 0], "{stage}: stages after the cancel");
+    true
 }
 
 fn view(mesh: &Mesh) -> View {

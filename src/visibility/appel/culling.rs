@@ -75,17 +75,17 @@ pub(super) fn occlusion_map(
 /// The tiles of the map, if one is to be made.
 fn grid_for(question: &LineQuestion<'_>, culling: Culling) -> Option<Grid> {
     let triangles = question.mesh.triangles().len();
-    let few = || {
-        let lines = question.lines.len();
-        lines < LEAST_LINES || lines < triangles / 100 * LEAST_SHARE
-    };
-    let pays = culling == Culling::Always;
-    if question.hidden_wanted || culling == Culling::Never || !pays && few() {
+    if question.hidden_wanted || triangles == 0 || culling == Culling::Never {
+        return None;
+    }
+    let lines = question.lines.len();
+    let few = lines < LEAST_LINES || lines < triangles / 100 * LEAST_SHARE;
+    if culling == Culling::WhereItPays && few {
         return None;
     }
     let (low, high) = middle_of_image(question)?;
     let layers = layers(question, low, high);
-    if !pays && layers < LEAST_LAYERS {
+    if culling == Culling::WhereItPays && layers < LEAST_LAYERS {
         return None;
     }
     let area = (high - low).element_product();
