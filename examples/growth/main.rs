@@ -89,7 +89,7 @@ fn print(lines: Lines, sizes: &[Size]) {
     let Some(largest) = sizes.last() else { return };
     let stages: Vec<&str> = largest.runs[0].stages.iter().map(|(name, _)| &name[..]).collect();
     println!("\n{}, microseconds a triangle\n", lines.name());
-    let heads: Vec<String> = sizes.iter().map(|size| format!("{} 000", size.thousands)).collect();
+    let heads: Vec<String> = sizes.iter().map(|size| format!("{}k", size.thousands)).collect();
     println!("| | {} | exponent |", heads.join(" | "));
     println!("| --- |{} ---: |", " ---: |".repeat(sizes.len()));
     for (place, name) in stages.iter().enumerate() {
