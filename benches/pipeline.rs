@@ -31,6 +31,10 @@ use umriss::visibility::{AppelOptions, appel, reduce};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
+/// As in the program, for all contenders alike.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Which lines are drawn.
 #[derive(Clone, Copy, PartialEq)]
 enum Lines {

@@ -24,6 +24,10 @@ use std::process::Command;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
+/// As in the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Triangles, in thousands.
 const SIZES: [usize; 8] = [1, 3, 10, 30, 100, 300, 1000, 2000];
 

@@ -52,6 +52,12 @@ use failure::Failure;
 use std::io::{Write, stderr, stdout};
 use std::process::ExitCode;
 
+/// Arrays of all triangles come and go with each stage. This allocator keeps
+/// their memory for the next stage and asks for large pages; the system's
+/// gives it back and takes it anew, page by page.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Exact hidden-line drawings of 3D models.
 ///
 /// Reads OBJ, STL, PLY, OFF, glTF and JSON polygon scenes, expressions and grids of heights; draws SVG, HPGL,
