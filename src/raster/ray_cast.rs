@@ -13,7 +13,7 @@
 use super::samples::{Sampled, Samples};
 use super::{BoxTree, ItemBuffer};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Policy, Predicates};
+use crate::kernel::predicates::{Policy, Predicates, sort_by_predicates};
 use crate::model::{View, ViewCoordinates};
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::spatial::Bounds;
@@ -91,7 +91,7 @@ pub fn ray_hits<P: Policy>(
             && predicates.meets_in_front(vertex, corners, facing)
     };
     let mut hits: Vec<u32> = (0..question.mesh.triangles().len() as u32).filter(is_met).collect();
-    hits.sort_by(|&a, &b| {
+    sort_by_predicates::<P, _>(&mut hits, |&a, &b| {
         let [first, second] = [a, b].map(|triangle| sampled.triangle(triangle));
         let nearer = predicates.nearer(vertex, first, second);
         let tie = || match a == b {

@@ -14,7 +14,9 @@
 
 use super::BoxTree;
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates, Probe};
+use crate::kernel::predicates::{
+    Carrier, Cut, Place, Point, Policy, Predicates, Probe, sort_by_predicates,
+};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
 use crate::spatial::Bounds;
@@ -105,7 +107,7 @@ impl<'a, 'q, P: Policy> SheetCounter<'a, 'q, P> {
             let corners = self.question.mesh.triangles()[triangle as usize];
             (corners, self.question.facing[triangle as usize])
         };
-        found.sort_by(|&(a, _), &(b, _)| {
+        sort_by_predicates::<P, _>(&mut found, |&(a, _), &(b, _)| {
             let nearer = self.predicates.nearer_at(point, plane(a), plane(b));
             Ordering::from(-nearer).then(a.cmp(&b))
         });

@@ -34,6 +34,8 @@ pub struct Tally {
 pub trait Policy: Copy + Default + Send + Sync + 'static {
     /// The policy's name in tables.
     const NAME: &'static str;
+    /// Whether all signs are right, so that none contradict one another.
+    const NEVER_ERRS: bool;
 
     /// The sign of `formula`, given its float value.
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign;
@@ -77,6 +79,7 @@ pub struct Unfiltered;
 
 impl Policy for Exact {
     const NAME: &'static str = "exact";
+    const NEVER_ERRS: bool = true;
 
     #[inline(always)]
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
@@ -92,6 +95,7 @@ impl Policy for Exact {
 
 impl Policy for Unfiltered {
     const NAME: &'static str = "unfiltered";
+    const NEVER_ERRS: bool = true;
 
     #[inline(always)]
     fn resolve<F: Formula>(points: &Points, formula: &F, _: Filtered, tally: &Tally) -> Sign {
@@ -101,6 +105,7 @@ impl Policy for Unfiltered {
 
 impl Policy for FilterOnly {
     const NAME: &'static str = "filter-only";
+    const NEVER_ERRS: bool = false;
 
     #[inline(always)]
     fn resolve<F: Formula>(_: &Points, _: &F, value: Filtered, _: &Tally) -> Sign {
@@ -110,6 +115,7 @@ impl Policy for FilterOnly {
 
 impl Policy for Plain {
     const NAME: &'static str = "plain";
+    const NEVER_ERRS: bool = false;
 
     #[inline(always)]
     fn resolve<F: Formula>(_: &Points, _: &F, value: Filtered, _: &Tally) -> Sign {
@@ -124,6 +130,7 @@ impl Policy for Plain {
 
 impl Policy for Thorough {
     const NAME: &'static str = "thorough";
+    const NEVER_ERRS: bool = true;
 
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
         let truth = formula.evaluate::<BigInteger>(points).sign();
@@ -146,6 +153,7 @@ impl Policy for Thorough {
 
 impl Policy for Audited {
     const NAME: &'static str = "audited";
+    const NEVER_ERRS: bool = true;
 
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
         let truth = Exact::resolve(points, formula, value, tally);

@@ -39,6 +39,7 @@ mod plane;
 mod points;
 mod probe;
 mod ray;
+mod sorting;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point, Probe};
 pub use chart::{Chart, ImageLine, ImagePoint};
@@ -53,3 +54,4 @@ pub use ladder::{
 };
 pub use plane::{InputPlane, Plane, PlanePoint};
 pub use points::Points;
+pub use sorting::sort_by_predicates;

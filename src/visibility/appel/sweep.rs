@@ -2,7 +2,7 @@
 
 use super::events::Event;
 use super::walker::{Sides, Walk, Walker};
-use crate::kernel::predicates::{Cut, Place, Policy};
+use crate::kernel::predicates::{Cut, Place, Policy, sort_by_predicates};
 use crate::view::ExactPiece;
 use std::cmp::Ordering;
 
@@ -30,7 +30,7 @@ impl<P: Policy> Walker<'_, P> {
         let order = |a: &Event, b: &Event| {
             self.predicates.order(walk.carrier, (a.cut, &a.values), (b.cut, &b.values))
         };
-        events.sort_by(order);
+        sort_by_predicates::<P, _>(&mut events, order);
         let mut sum = first;
         let mut from = Place::Start;
         for group in events.chunk_by(|a, b| order(a, b) == Ordering::Equal) {

@@ -21,7 +21,7 @@ use super::judge::{Judge, Relation};
 use super::order::farthest_first;
 use super::sheets::Sheet;
 use super::{Ordered, PainterError};
-use crate::kernel::predicates::{Policy, Predicates};
+use crate::kernel::predicates::{Policy, Predicates, sort_by_predicates};
 use crate::run::{Growing, Run};
 use crate::spatial::Hierarchy;
 use crate::view::LineQuestion;
@@ -220,7 +220,9 @@ impl Graph {
     fn order<P: Policy>(&mut self, predicates: &Predicates<'_, P>, faces: &Faces) -> Vec<Sheet> {
         let count = self.sheets.len();
         let mut by_depth: Vec<u32> = (0..count as u32).collect();
-        by_depth.sort_unstable_by(|&a, &b| farthest_first(predicates, &self.sheets, a, b));
+        sort_by_predicates::<P, _>(&mut by_depth, |&a, &b| {
+            farthest_first(predicates, &self.sheets, a, b)
+        });
         let units = self.units(faces, &by_depth);
         let mut waiting = vec![0_u32; units.members.len()];
         for (node, links) in self.links.iter().enumerate() {

@@ -11,7 +11,7 @@ use super::judge::{Judge, Test};
 use super::order::farthest_first;
 use super::sheets::Sheet;
 use super::{Ordered, PainterError};
-use crate::kernel::predicates::{Policy, Predicates};
+use crate::kernel::predicates::{Policy, Predicates, sort_by_predicates};
 use crate::run::{Growing, Run};
 use crate::spatial::Hierarchy;
 use crate::view::LineQuestion;
@@ -110,7 +110,9 @@ impl<'j, 'p, P: Policy> List<'j, 'p, P> {
     fn sort(&mut self) {
         let (predicates, sheets) = (&self.judge.predicates, &self.sheets);
         self.sorted.append(&mut self.moved);
-        self.sorted.sort_unstable_by(|&a, &b| farthest_first(predicates, sheets, b, a));
+        sort_by_predicates::<P, _>(&mut self.sorted, |&a, &b| {
+            farthest_first(predicates, sheets, b, a)
+        });
         for sheet in self.marked.drain(..) {
             self.is_marked[sheet as usize] = false;
         }

@@ -65,7 +65,7 @@ mod tree;
 pub use image::painted_image;
 pub use tree::PaintTree;
 
-use crate::kernel::predicates::{Policy, Predicates};
+use crate::kernel::predicates::{Policy, Predicates, sort_by_predicates};
 use crate::run::{Cancelled, Run};
 use crate::view::{LineQuestion, PaintOrder};
 use faces::faces;
@@ -181,7 +181,9 @@ pub fn paint_order<P: Policy>(
 fn by_depth<P: Policy>(question: &LineQuestion<'_>, sheets: Vec<sheets::Sheet>) -> Ordered {
     let predicates = Predicates::<P>::new(question.points);
     let mut numbers: Vec<u32> = (0..sheets.len() as u32).collect();
-    numbers.sort_unstable_by(|&a, &b| order::farthest_first(&predicates, &sheets, a, b));
+    sort_by_predicates::<P, _>(&mut numbers, |&a, &b| {
+        order::farthest_first(&predicates, &sheets, a, b)
+    });
     let sorted = numbers.into_iter().map(|number| sheets[number as usize].clone());
     Ordered { sheets: sorted.collect(), cuts: 0 }
 }

@@ -19,7 +19,7 @@ use super::groups::groups_of;
 use super::line_piece;
 use super::rounded::RoundedPiece;
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Carrier, Place, Policy, Predicates};
+use crate::kernel::predicates::{Carrier, Place, Policy, Predicates, sort_by_predicates};
 use crate::model::{LineClass, LineOrigin};
 use crate::run::{Cancelled, Run, concat_map, map_chunks, map_indexed, sort_by};
 use crate::view::{LinePiece, LineQuestion};
@@ -284,7 +284,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
     /// takes long, and ends early once `asked` is stopped.
     fn resolve(mut self, asked: &Run<'_>) -> Vec<(u32, RoundedPiece)> {
         let mut stops = std::mem::take(&mut self.stops);
-        stops.sort_by(|a, b| self.compare(a, b));
+        sort_by_predicates::<P, _>(&mut stops, |a, b| self.compare(a, b));
         let mut active: BTreeSet<(u32, u32)> = BTreeSet::new();
         let mut result: Vec<(u32, RoundedPiece)> = Vec::new();
         let mut drawn: Option<((u32, bool), Stop)> = None;

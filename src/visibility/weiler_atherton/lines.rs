@@ -19,6 +19,7 @@ use super::RegionsError;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{
     Carrier, Chart, Cut, ImageLine, ImagePoint, Piercing, Place, Point, Policy, Predicates,
+    sort_by_predicates,
 };
 use crate::model::LineOrigin;
 use crate::polygon::clipping::Polygon;
@@ -111,7 +112,7 @@ impl<P: Policy> Worker<'_, '_, P> {
             }
         }
         let order = |a: Place, b: Place| self.order(line.carrier, a, b);
-        spans.sort_by(|a, b| order(a[0], b[0]));
+        sort_by_predicates::<P, _>(&mut spans, |a, b| order(a[0], b[0]));
         let mut merged: Vec<[Place; 2]> = Vec::new();
         for span in spans {
             match merged.last_mut() {
