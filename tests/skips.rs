@@ -3,42 +3,65 @@
 
 #![allow(clippy::unwrap_used)]
 
-use glam::{DVec3, dvec3};
+use glam::{DVec2, DVec3, dvec3};
 use proptest::prelude::*;
 use umriss::kernel::predicates::Exact;
-use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, import};
+use umriss::model::{Camera, FeatureOptions, LineClass, LineOrigin, Mesh, Soup, import};
 use umriss::run::Run;
-use umriss::view::{ExactLines, PreparedView};
+use umriss::view::{ExactLines, LineQuestion, ObjectWish, PreparedView};
 use umriss::visibility::{AppelOptions, Culling, Skips, appel};
 
 /// All combinations that are worth it; the first takes no shortcut.
 fn combinations() -> Vec<Skips> {
-    let none = Skips { culling: Culling::Never, early: false, carry: false };
+    let none = Skips { culling: Culling::Never, early: false, carry: false, convex: false };
     vec![
         none,
         Skips { early: true, ..none },
         Skips { carry: true, ..none },
         Skips { culling: Culling::Always, ..none },
-        Skips { culling: Culling::Always, early: true, carry: true },
+        Skips { convex: true, ..none },
+        Skips { culling: Culling::Always, ..Skips::default() },
         Skips::default(),
     ]
 }
 
-/// The visible pieces with each combination, and how many lines were culled.
-fn answers(mesh: &Mesh, camera: &Camera) -> (Vec<ExactLines>, u64) {
+/// What was left out on the way.
+#[derive(Debug, Default)]
+struct LeftOut {
+    covered: u64,
+    at_back: u64,
+}
+
+/// The visible pieces with each combination, and what was left out.
+fn answers(mesh: &Mesh, camera: &Camera) -> (Vec<ExactLines>, LeftOut) {
     let view = camera.view(mesh.bounds()).unwrap();
-    let options = FeatureOptions::default().with_classes(&LineClass::ALL);
-    let (run, mut covered) = (Run::default(), 0);
-    let prepared = PreparedView::new::<Exact>(mesh, &view, &options, &run).unwrap();
-    let question = prepared.question(false);
-    let answer = |skips| {
+    let wish = ObjectWish {
+        features: FeatureOptions::default().with_classes(&LineClass::ALL),
+        see_through: false,
+    };
+    let wishes = vec![wish; mesh.objects().len()];
+    let run = Run::default();
+    let prepare =
+        |skips| PreparedView::with_skips::<Exact>(mesh, &view, &wishes, &skips, &run).unwrap();
+    let prepared = [false, true].map(|convex| prepare(Skips { convex, ..Skips::default() }));
+    let [searched, question] = [0, 1].map(|i| prepared[i].question(false));
+    assert_eq!(searched.lines, question.lines);
+    assert_eq!(searched.intersections, question.intersections);
+    assert_eq!(searched.piercings, question.piercings);
+    assert_eq!(searched.contacts.unwrap().touching, question.contacts.unwrap().touching);
+    let mut left_out = LeftOut::default();
+    let mut answer = |question: &LineQuestion<'_>, skips| {
         let run = Run::default();
         let options = AppelOptions { skips, ..AppelOptions::default() };
-        let answer = appel::<Exact>(&question, &options, &run).unwrap();
-        covered += run.counters().get("lines-covered");
+        let answer = appel::<Exact>(question, &options, &run).unwrap();
+        left_out.covered += run.counters().get("lines-covered");
+        left_out.at_back += run.counters().get("lines-at-back");
         answer
     };
-    (combinations().into_iter().map(answer).collect(), covered)
+    let combinations = combinations();
+    let mut answers = vec![answer(&searched, combinations[0])];
+    answers.extend(combinations.iter().map(|&skips| answer(&question, skips)));
+    (answers, left_out)
 }
 
 fn all_same(answers: &[ExactLines]) -> bool {
@@ -51,7 +74,7 @@ fn parallel(forward: DVec3) -> Camera {
 
 #[test]
 fn models_have_the_same_pieces_whatever_is_skipped() {
-    let mut culled = 0;
+    let (mut culled, mut at_back) = (0, 0);
     let names = [
         "bar_heap",
         "bad_soup",
@@ -90,12 +113,14 @@ fn models_have_the_same_pieces_whatever_is_skipped() {
                 fov_y_degrees: 90.0,
             },
         ] {
-            let (answers, covered) = answers(&mesh, &camera);
+            let (answers, left_out) = answers(&mesh, &camera);
             assert!(all_same(&answers), "{name} {camera:?}");
-            culled += covered;
+            culled += left_out.covered;
+            at_back += left_out.at_back;
         }
     }
     assert!(culled > 10_000, "only {culled} lines were culled: nothing was tested");
+    assert!(at_back > 1000, "only {at_back} lines were at the back: nothing was tested");
 }
 
 /// Squares behind one another, each of two triangles, turned and moved.
@@ -147,9 +172,213 @@ fn what_lies_behind_a_triangle_is_culled_and_what_lies_before_it_is_not() {
         let soups = vec![square(DVec3::ZERO, 8.0), square(dvec3(4.0, -4.0, height), 1.0)];
         let mesh = Mesh::new(soups, None).unwrap();
         let camera = Camera::Orthographic { forward: DVec3::NEG_Z, target: None, up: DVec3::Y };
-        let (answers, covered) = answers(&mesh, &camera);
+        let (answers, left_out) = answers(&mesh, &camera);
         assert!(all_same(&answers));
         // Two of the combinations cull so few lines; diagonals are lines too.
-        assert_eq!(covered, 2 * if culled > 0 { culled + 1 } else { 0 }, "{height}");
+        assert_eq!(left_out.covered, 2 * if culled > 0 { culled + 1 } else { 0 }, "{height}");
     }
+}
+
+/// A box with its corners moved, at a place: convex or not.
+type Gem = ((i32, i32, i32), Vec<i32>);
+
+/// Gems that may pass through one another, each an object or all one.
+fn gems(gems: &[Gem], apart: bool) -> Mesh {
+    const QUADS: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let mut soups = vec![Soup::default()];
+    for ((x, y, z), moves) in gems {
+        if apart {
+            soups.push(Soup::default());
+        }
+        let soup = soups.last_mut().unwrap();
+        let first = soup.vertices.len() as u32;
+        for corner in 0..8_i32 {
+            let bit = |axis: i32| 6 * (corner >> axis & 1) + moves[(3 * corner + axis) as usize];
+            let corner = [x + bit(0), y + bit(1), z + bit(2)];
+            soup.vertices.push(DVec3::from(corner.map(f64::from)));
+        }
+        for [a, b, c, d] in QUADS.map(|quad| quad.map(|corner| first + corner)) {
+            soup.faces.push(&[a, b, c], []);
+            soup.faces.push(&[a, c, d], []);
+        }
+    }
+    Mesh::new(soups, None).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+    #[test]
+    fn gems_have_the_same_pieces_whatever_is_skipped(
+        some in prop::collection::vec(
+            ((-8..9_i32, -8..9_i32, -8..9_i32), prop::collection::vec(-1..2_i32, 24)),
+            1..9,
+        ),
+        moved in any::<bool>(),
+        apart in any::<bool>(),
+        eye in (-30..31_i32, -30..31_i32, -30..31_i32),
+        parallel_rays in any::<bool>(),
+        near in prop::option::of(1..20_i32),
+    ) {
+        let mut some = some;
+        if !moved {
+            some.iter_mut().for_each(|(_, moves)| moves.fill(0));
+        }
+        let mesh = gems(&some, apart);
+        let eye = dvec3(f64::from(eye.0), f64::from(eye.1), f64::from(eye.2)) / 4.0 + 0.125;
+        let camera = match parallel_rays {
+            true => parallel(-eye),
+            false => Camera::Perspective {
+                eye,
+                target: Some(DVec3::ZERO),
+                up: dvec3(0.1, 0.2, 1.0),
+                near: near.map(f64::from),
+                fov_y_degrees: 60.0,
+            },
+        };
+        let (answers, _) = answers(&mesh, &camera);
+        prop_assert!(all_same(&answers));
+    }
+
+    #[test]
+    fn what_lies_in_the_window_has_the_same_pieces(
+        some in prop::collection::vec(
+            ((-8..9_i32, -8..9_i32, -8..9_i32), prop::collection::vec(-1..2_i32, 24)),
+            1..9,
+        ),
+        corner in (-8..8_i32, -8..8_i32),
+        size in (1..9_i32, 1..9_i32),
+        parallel_rays in any::<bool>(),
+    ) {
+        let mesh = gems(&some, false);
+        let camera = match parallel_rays {
+            // Images of corners have whole coordinates and meet the border.
+            true => Camera::Orthographic {
+                forward: DVec3::NEG_Z, target: Some(DVec3::ZERO), up: DVec3::Y,
+            },
+            false => Camera::Perspective {
+                eye: DVec3::new(0.0, 0.0, 9.5), target: Some(DVec3::ZERO), up: DVec3::Y,
+                near: None, fov_y_degrees: 60.0,
+            },
+        };
+        let view = camera.view(mesh.bounds()).unwrap();
+        let classes = FeatureOptions::default().with_classes(&LineClass::ALL);
+        let run = Run::default();
+        let prepared = PreparedView::new::<Exact>(&mesh, &view, &classes, &run).unwrap();
+        let unit = if parallel_rays { 1.0 } else { 0.125 };
+        let low = DVec2::new(f64::from(corner.0), f64::from(corner.1)) * unit;
+        let high = low + DVec2::new(f64::from(size.0), f64::from(size.1)) * unit;
+        for hidden in [false, true] {
+            let whole = prepared.question(hidden);
+            let part = whole.within(low, high);
+            let run = Run::default();
+            let options = AppelOptions::default();
+            let [all, some] = [&whole, &part].map(|question| {
+                appel::<Exact>(question, &options, &run).unwrap()
+            });
+            let mut left_out = 0;
+            for (line, feature) in whole.lines.iter().enumerate() {
+                if some.line(line) == all.line(line) {
+                    continue;
+                }
+                prop_assert!(some.line(line).is_empty());
+                prop_assert!(is_outside(&whole, feature.origin, low, high));
+                left_out += 1;
+            }
+            prop_assert!(left_out <= run.counters().get("lines-outside"));
+        }
+    }
+}
+
+/// Whether a line lies wholly to one side of a window.
+fn is_outside(question: &LineQuestion<'_>, line: LineOrigin, low: DVec2, high: DVec2) -> bool {
+    let beside = |vertices: &[u32]| {
+        let images = vertices
+            .iter()
+            .map(|&vertex| question.coordinates.project(question.coordinates.point(vertex)).0);
+        (0..2).any(|axis| {
+            images.clone().all(|image| image[axis] < low[axis])
+                || images.clone().all(|image| high[axis] < image[axis])
+        })
+    };
+    match line {
+        LineOrigin::Edge(edge) => beside(&question.mesh.edges().ends(edge)),
+        LineOrigin::Loose(index) => beside(&question.mesh.loose_lines()[index as usize]),
+        LineOrigin::Intersection(index) => question.intersections[index as usize]
+            .triangles
+            .iter()
+            .any(|&triangle| beside(&question.mesh.triangles()[triangle as usize])),
+    }
+}
+
+/// A torus of a hundred thousand triangles, with huge ones in front of it,
+/// behind it and through it.
+fn torus_among_huge_triangles() -> Mesh {
+    let (around, tube) = (400, 125);
+    let mut soup = Soup::default();
+    for i in 0..around {
+        for j in 0..tube {
+            let [u, v] = [(i, around), (j, tube)]
+                .map(|(i, count)| std::f64::consts::TAU * f64::from(i) / f64::from(count));
+            let radius = 1.0 + 0.4 * v.cos();
+            soup.vertices.push(dvec3(radius * u.cos(), radius * u.sin(), 0.4 * v.sin()));
+        }
+    }
+    for i in 0..around {
+        for j in 0..tube {
+            let at = |i: i32, j: i32| ((i % around) * tube + j % tube) as u32;
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            soup.faces.push(&[a, b, c], []);
+            soup.faces.push(&[a, c, d], []);
+        }
+    }
+    for corners in [
+        [dvec3(-9.0, -9.0, -20.0), dvec3(9.0, -8.0, -30.0), dvec3(0.0, 9.0, -25.0)],
+        [dvec3(3.0, -9.0, -9.0), dvec3(4.0, 0.3, 9.0), dvec3(3.0, 0.1, -9.0)],
+        [dvec3(-9.0, -9.0, 0.2), dvec3(9.0, -8.0, 0.3), dvec3(0.0, 9.0, -0.1)],
+    ] {
+        let first = soup.vertices.len() as u32;
+        soup.vertices.extend(corners);
+        soup.faces.push(&[first, first + 1, first + 2], []);
+    }
+    Mesh::new(vec![soup], None).unwrap()
+}
+
+#[test]
+fn few_lines_have_the_same_pieces_whichever_triangles_are_looked_at() {
+    let mesh = torus_among_huge_triangles();
+    let up = dvec3(0.1, 0.2, 1.0);
+    let from = |eye, fov_y_degrees| Camera::Perspective {
+        eye,
+        target: Some(dvec3(0.1, 0.9, 0.1)),
+        up,
+        near: None,
+        fov_y_degrees,
+    };
+    let classes = [LineClass::Contour, LineClass::Boundary, LineClass::Crease];
+    let features = FeatureOptions::default().with_classes(&classes);
+    let mut spared = 0;
+    for camera in [
+        parallel(dvec3(-1.0, -0.8, -0.6)),
+        parallel(dvec3(0.0, 1.0, 0.05)),
+        from(dvec3(6.0, -5.0, 4.0), 40.0),
+        // From the inside of the tube.
+        from(dvec3(1.0, 0.0, 0.1), 90.0),
+    ] {
+        let view = camera.view(mesh.bounds()).unwrap();
+        for hidden in [false, true] {
+            let run = Run::default();
+            let prepared = PreparedView::new::<Exact>(&mesh, &view, &features, &run).unwrap();
+            let question = prepared.question(hidden);
+            assert!(!question.has_hierarchy());
+            let options = AppelOptions::default();
+            let some = appel::<Exact>(&question, &options, &run).unwrap();
+            spared += u32::from(!question.has_hierarchy());
+            question.hierarchy();
+            let all = appel::<Exact>(&question, &options, &run).unwrap();
+            assert!(some == all, "{camera:?}");
+            assert!(all.piece_count() > 0, "{camera:?}");
+        }
+    }
+    assert!(spared >= 4, "all triangles were looked at");
 }

@@ -1,17 +1,19 @@
 //! Drawing with and without a shortcut.
 
 use super::{Outcome, Scene};
+use glam::DVec2;
 use std::time::Instant;
 use umriss::kernel::predicates::{Exact, Policy, Unfiltered};
 use umriss::model::{FeatureOptions, LineClass, LineOrigin};
 use umriss::run::Run;
-use umriss::view::{ExactPiece, PreparedView};
-use umriss::visibility::{AppelOptions, Culling, Skips, appel};
+use umriss::view::{Culling, ExactPiece, ObjectWish, PreparedView, Skips};
+use umriss::visibility::{AppelOptions, appel};
 
 /// A shortcut that is not taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Skipped {
     Culling,
+    Convex,
     Early,
     Carry,
     Filter,
@@ -20,8 +22,9 @@ pub(crate) enum Skipped {
 }
 
 impl Skipped {
-    pub(crate) const ALL: [Skipped; 6] = [
+    pub(crate) const ALL: [Skipped; 7] = [
         Skipped::Culling,
+        Skipped::Convex,
         Skipped::Early,
         Skipped::Carry,
         Skipped::Filter,
@@ -32,6 +35,7 @@ impl Skipped {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Skipped::Culling => "culling",
+            Skipped::Convex => "convex parts",
             Skipped::Early => "early",
             Skipped::Carry => "carry",
             Skipped::Filter => "filter",
@@ -58,6 +62,7 @@ impl Skipped {
         let all = Skips::default();
         match self {
             Skipped::Culling => Skips { culling: Culling::Never, ..all },
+            Skipped::Convex => Skips { convex: false, ..all },
             Skipped::Early => Skips { early: false, ..all },
             Skipped::Carry => Skips { carry: false, ..all },
             Skipped::Filter | Skipped::FeaturesOnly | Skipped::NoInterpenetration => all,
@@ -70,11 +75,27 @@ type Answer = Vec<(LineOrigin, Vec<ExactPiece>)>;
 
 /// Milliseconds from the mesh to exact pieces, and what they are.
 fn drawn<P: Policy>(scene: &Scene, classes: &[LineClass], skips: Skips) -> Outcome<(f64, Answer)> {
-    let options = FeatureOptions::default().with_classes(classes);
+    drawn_within::<P>(scene, classes, skips, None)
+}
+
+/// The same for a part of the picture between two corners.
+fn drawn_within<P: Policy>(
+    scene: &Scene,
+    classes: &[LineClass],
+    skips: Skips,
+    window: Option<[DVec2; 2]>,
+) -> Outcome<(f64, Answer)> {
+    let features = FeatureOptions::default().with_classes(classes);
+    let wish = ObjectWish { features, see_through: false };
+    let wishes = vec![wish; scene.mesh.objects().len()];
     let run = Run::default();
     let start = Instant::now();
-    let prepared = PreparedView::new::<P>(&scene.mesh, &scene.view, &options, &run)?;
+    let prepared = PreparedView::with_skips::<P>(&scene.mesh, &scene.view, &wishes, &skips, &run)?;
     let question = prepared.question(false);
+    let question = match window {
+        Some([low, high]) => question.within(low, high),
+        None => question,
+    };
     let appel_options = AppelOptions { skips, ..AppelOptions::default() };
     let found = appel::<P>(&question, &appel_options, &run)?;
     let time = start.elapsed().as_secs_f64() * 1e3;
@@ -143,6 +164,31 @@ pub(crate) fn median_times(scenes: [&Scene; 2], rounds: usize) -> Outcome<[f64; 
         }
     }
     Ok(times.map(|mut times| median(&mut times)))
+}
+
+/// The middle ninth of the picture and the whole, measured in turn:
+/// milliseconds, and how many lines are left out of the part.
+pub(crate) fn part_and_whole(scene: &Scene, rounds: usize) -> Outcome<([f64; 2], usize)> {
+    let [edges, _] = Skipped::Culling.classes();
+    let frame = &scene.view.frame;
+    let images = scene.mesh.vertices().iter().map(|&vertex| frame.coordinates(vertex).truncate());
+    let (low, high) = images.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), image| {
+        (low.min(image), high.max(image))
+    });
+    let window = [low.lerp(high, 1.0 / 3.0), low.lerp(high, 2.0 / 3.0)];
+    let (mut times, mut left_out) = ([Vec::new(), Vec::new()], 0);
+    for _ in 0..rounds {
+        let (time, part) = drawn_within::<Exact>(scene, &edges, Skips::default(), Some(window))?;
+        times[0].push(time);
+        let (time, whole) = drawn::<Exact>(scene, &edges, Skips::default())?;
+        times[1].push(time);
+        let mut differing = part.iter().zip(&whole).filter(|(own, other)| own != other);
+        if !differing.clone().all(|(own, other)| own.0 == other.0 && own.1.is_empty()) {
+            return Err(format!("{}: the frame changes the drawing", scene.name).into());
+        }
+        left_out = differing.by_ref().count();
+    }
+    Ok((times.map(|mut times| median(&mut times)), left_out))
 }
 
 fn median(list: &mut [f64]) -> f64 {

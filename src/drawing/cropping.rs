@@ -15,17 +15,27 @@
 //! and the tiles of a picture, laid side by side, are the picture.
 
 use super::{DrawingError, DrawingOptions, Paper, Window};
-use crate::view::{LinePiece, Projection, VisibleLines};
+use crate::view::{Frame, LinePiece, Projection, VisibleLines};
 use glam::DVec2;
 use robust::{Coord, orient2d};
 use std::borrow::Cow;
 
-/// The window of a drawing, if it has one.
-pub(super) fn window(lines: &VisibleLines, options: &DrawingOptions) -> Option<Window> {
-    options.window.or_else(|| {
-        let half_height = lines.frame.half_height?;
-        Some(Window::around_zero(DVec2::new(half_height * aspect(options), half_height)))
-    })
+impl DrawingOptions {
+    /// The window at which a drawing ends that is seen in this frame: the one
+    /// asked for, or a perspective one's field of view.
+    pub fn window_in(&self, frame: &Frame) -> Option<Window> {
+        self.window.or_else(|| {
+            let half_height = frame.half_height?;
+            Some(Window::around_zero(DVec2::new(half_height * aspect(self), half_height)))
+        })
+    }
+}
+
+impl Window {
+    /// Whether something of a piece lies in the window.
+    pub fn shows(&self, piece: &LinePiece, projection: Projection) -> bool {
+        clip(piece, self, projection).is_some()
+    }
 }
 
 /// The lines as far as they lie in the window; all of them if nothing is
@@ -38,7 +48,7 @@ pub(super) fn crop<'a>(
     lines: &'a VisibleLines,
     options: &DrawingOptions,
 ) -> Result<Cow<'a, VisibleLines>, DrawingError> {
-    let Some(window) = window(lines, options) else {
+    let Some(window) = options.window_in(&lines.frame) else {
         return Ok(Cow::Borrowed(lines));
     };
     let inside = |piece: &LinePiece| piece.points.iter().all(|point| window.holds(*point));

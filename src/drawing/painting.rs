@@ -9,7 +9,7 @@
 //! not drawn as a whole, but face by face, there is nothing to join, smooth or
 //! interrupt, and no width by depth: wishes for these are passed over.
 
-use super::cropping::{clip, window};
+use super::cropping::clip;
 use super::dashing::dashed;
 use super::layering::Layering;
 use super::placement::Placement;
@@ -103,7 +103,7 @@ impl Cropped {
         lines: &VisibleLines,
         options: &DrawingOptions,
     ) -> Result<Self, DrawingError> {
-        let window = window(lines, options);
+        let window = options.window_in(&lines.frame);
         let regions = map_indexed(faces.len(), |i| cropped(&faces[i].region, window.as_ref()));
         let regions: Vec<ImageRegion> = regions.into_iter().collect::<Result<_, _>>()?;
         let mut starts = vec![0];

@@ -10,7 +10,6 @@
 //! little around the edge ("wrapped"), so that the dark side has a shape too;
 //! and some light comes from everywhere.
 
-use super::cropping::window;
 use super::hatching::Hatch;
 use super::{DrawingError, DrawingOptions, Window};
 use crate::model::{Color, Frame};
@@ -145,7 +144,7 @@ pub(super) fn crop_regions<'a>(
     if !points.clone().all(|point| point.is_finite()) {
         return Err(DrawingError::NotFinite);
     }
-    let Some(window) = window(lines, options) else {
+    let Some(window) = options.window_in(&lines.frame) else {
         return Ok(Cow::Borrowed(regions));
     };
     if points.all(|point| window.holds(*point)) {

@@ -15,7 +15,7 @@
 //! its own edges. Then the edge itself is the line, clipped to the triangle.
 //! Coplanar triangles make no line.
 
-use super::{Fans, Mesh, ViewCoordinates};
+use super::{ConvexParts, Fans, Mesh, ViewCoordinates};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Piercing, Point, Points, Policy, Predicates};
 use crate::run::{Cancelled, Growing, Run, sort_by};
@@ -72,8 +72,8 @@ impl EdgePiercings {
 
 impl Intersections {
     /// Searches all pairs of triangles with overlapping boxes. `hierarchy`
-    /// holds boxes of the mesh's triangles; pairs at one of the `fans` need
-    /// no test. Expected O(n + pairs).
+    /// holds boxes of the mesh's triangles; pairs at one of the fans need no
+    /// test, nor do those of one convex part. Expected O(n + pairs).
     ///
     /// # Errors
     ///
@@ -82,12 +82,12 @@ impl Intersections {
         mesh: &Mesh,
         points: &Points,
         hierarchy: &Hierarchy,
-        fans: Option<&Fans>,
+        known: Known<'_>,
         run: &Run,
     ) -> Result<Self, Cancelled> {
         let parts = hierarchy.overlapping_pairs(
             run,
-            || Search::<P>::new(mesh, points, fans, run),
+            || Search::<P>::new(mesh, points, known, run),
             |search, s, t| search.add_pair([s.min(t), s.max(t)]),
         );
         let mut intersections = Intersections::default();
@@ -121,11 +121,21 @@ impl Intersections {
     }
 }
 
+/// What is known of a mesh and spares tests.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Known<'a> {
+    /// How triangles lie around their vertices in the image. With it,
+    /// vertices that touch triangles are told too.
+    pub fans: Option<&'a Fans>,
+    /// Parts that do not pass through themselves.
+    pub convex: Option<&'a ConvexParts>,
+}
+
 /// One worker's share of the search.
 struct Search<'p, P: Policy> {
     mesh: &'p Mesh,
     predicates: Predicates<'p, P>,
-    fans: Option<&'p Fans>,
+    known: Known<'p>,
     lines: Vec<IntersectionLine>,
     piercings: Vec<[u32; 2]>,
     touching: Vec<u32>,
@@ -230,11 +240,11 @@ impl Side {
 }
 
 impl<'p, P: Policy> Search<'p, P> {
-    fn new(mesh: &'p Mesh, points: &'p Points, fans: Option<&'p Fans>, run: &'p Run<'p>) -> Self {
+    fn new(mesh: &'p Mesh, points: &'p Points, known: Known<'p>, run: &'p Run<'p>) -> Self {
         Search {
             mesh,
             predicates: Predicates::new(points),
-            fans,
+            known,
             lines: Vec::new(),
             piercings: Vec::new(),
             touching: Vec::new(),
@@ -257,13 +267,16 @@ impl<'p, P: Policy> Search<'p, P> {
         if !self.growing.goes_on(self.held()) {
             return;
         }
+        if self.known.convex.is_some_and(|parts| parts.are_together(pair)) {
+            return;
+        }
         let triangles = self.mesh.triangles();
         let (s, t) = (triangles[pair[0] as usize], triangles[pair[1] as usize]);
         let mut shared = 0;
         for corner in s {
             if t.contains(&corner) {
                 // The triangles of a fan meet in what they share.
-                if self.fans.is_some_and(|fans| fans.is_fan(corner)) {
+                if self.known.fans.is_some_and(|fans| fans.is_fan(corner)) {
                     return;
                 }
                 shared += 1;
@@ -297,7 +310,7 @@ impl<'p, P: Policy> Search<'p, P> {
     /// Notes touching corners of two triangles with a common edge: there are
     /// some only where one lies folded onto the other.
     fn add_fold(&mut self, s: [u32; 3], t: [u32; 3]) {
-        if self.fans.is_some() {
+        if self.known.fans.is_some() {
             let signs = corner_signs(&self.predicates, s, t);
             if signs == [Sign::Zero; 3] {
                 self.add_touching(s, signs, t);
@@ -310,7 +323,7 @@ impl<'p, P: Policy> Search<'p, P> {
     /// they are no corners, and which is not edge-on. `signs` are those of
     /// the corners against the other's plane.
     fn add_touching(&mut self, triangle: [u32; 3], signs: [Sign; 3], other: [u32; 3]) {
-        if self.fans.is_none() {
+        if self.known.fans.is_none() {
             return;
         }
         let [a, b, c] = other;

@@ -4,6 +4,8 @@
 
 mod adjacency;
 mod camera;
+mod components;
+mod convex;
 mod faces;
 mod fans;
 mod features;
@@ -23,10 +25,13 @@ mod weld;
 
 pub use adjacency::Edges;
 pub use camera::{Camera, CameraError, View};
+pub use convex::ConvexParts;
 pub use fans::Fans;
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
-pub use intersections::{EdgePiercings, IntersectionLine, Intersections, triangle_hierarchy};
+pub use intersections::{
+    EdgePiercings, IntersectionLine, Intersections, Known, triangle_hierarchy,
+};
 pub use line_class::LineClass;
 pub use mesh::{Mesh, MeshError, MeshReport, Object};
 pub use scene::{Scene, SceneOptions};

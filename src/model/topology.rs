@@ -4,18 +4,17 @@
 //! Everything is counted, nothing is repaired. An edge is judged by the
 //! number of its triangles; inner edges of one polygon's triangulation are no
 //! edges of the model and are passed over. Components are the classes of
-//! triangles under "have an edge in common", found by union-find with path
-//! halving (R. Tarjan and J. van Leeuwen, "Worst-case analysis of set union
-//! algorithms", 1984).
+//! triangles under "have an edge in common".
 //!
 //! A *T-junction* is a vertex of a boundary edge strictly inside another
 //! boundary edge of the same object: two faces that meet on the screen but
 //! have no edge in common. A hierarchy over the boundary edges proposes pairs
 //! and exact collinearity decides them.
 
+use super::components::join;
 use super::features::is_crease;
 use super::{
-    CameraError, FeatureOptions, Intersections, Mesh, StandardView, ViewCoordinates,
+    CameraError, FeatureOptions, Intersections, Known, Mesh, StandardView, ViewCoordinates,
     triangle_hierarchy,
 };
 use crate::kernel::predicates::{Exact, Eye, Points, Predicates, are_collinear};
@@ -160,7 +159,7 @@ pub fn interpenetrations(mesh: &Mesh, run: &Run<'_>) -> Result<Vec<[u32; 2]>, To
     let points = Points::new(mesh.vertices(), view.eye, view.near);
     let coordinates = ViewCoordinates::new(&view.frame, mesh.vertices());
     let hierarchy = triangle_hierarchy(mesh, &coordinates);
-    let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, None, run)?;
+    let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, Known::default(), run)?;
     let faces = |[s, t]: [u32; 2]| {
         let [f, g] = [mesh.face_of(s), mesh.face_of(t)];
         [f.min(g), f.max(g)]
@@ -179,25 +178,11 @@ fn count_components(mesh: &Mesh) -> usize {
     for edge in 0..mesh.edges().len() as u32 {
         if let [first, others @ ..] = mesh.edges().triangles(edge) {
             for other in others {
-                let roots = [root(&mut parents, *first), root(&mut parents, *other)];
-                if roots[0] != roots[1] {
-                    parents[roots[0].max(roots[1]) as usize] = roots[0].min(roots[1]);
-                    components -= 1;
-                }
+                components -= usize::from(join(&mut parents, [*first, *other]));
             }
         }
     }
     components
-}
-
-/// The representative of an item; paths are halved on the way.
-fn root(parents: &mut [u32], mut item: u32) -> u32 {
-    while parents[item as usize] != item {
-        let above = parents[parents[item as usize] as usize];
-        parents[item as usize] = above;
-        item = above;
-    }
-    item
 }
 
 fn find_t_junctions(mesh: &Mesh, run: &Run<'_>) -> Vec<TJunction> {

@@ -9,8 +9,10 @@ mod counters;
 mod limits;
 mod parallel;
 mod progress;
+mod sample;
 
 pub use counters::{Counters, StageTime};
 pub use limits::{Cancelled, Growing, Limits};
 pub use parallel::{concat_map, fill_indexed, map_chunks, map_indexed, map_small, sort_by};
 pub use progress::{Progress, Run, Silent};
+pub use sample::sample;

@@ -41,7 +41,21 @@ impl Hierarchy {
         place: impl Fn(usize) -> Vec3A + Sync + Send,
         bounds: impl Fn(usize) -> Bounds + Sync + Send,
     ) -> Self {
-        let items = along_curve(count, place);
+        Hierarchy::of_sorted(along_curve(count, place), bounds)
+    }
+
+    /// The same for some of the items only.
+    pub fn of_some(
+        items: Vec<u32>,
+        place: impl Fn(usize) -> Vec3A + Sync + Send,
+        bounds: impl Fn(usize) -> Bounds + Sync + Send,
+    ) -> Self {
+        let order = along_curve(items.len(), |i| place(items[i] as usize));
+        let sorted = order.into_iter().map(|i| items[i as usize]).collect();
+        Hierarchy::of_sorted(sorted, bounds)
+    }
+
+    fn of_sorted(items: Vec<u32>, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Self {
         let mut levels = vec![grouped(items.len(), |i| bounds(items[i] as usize))];
         while let Some(below) = levels.last()
             && below.len() > 1

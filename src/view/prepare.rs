@@ -2,15 +2,16 @@
 //! need and none should compute twice.
 
 use super::wishes;
-use super::{Contacts, LineQuestion, ObjectWish};
+use super::{Contacts, LineQuestion, ObjectWish, Skips};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
 use crate::model::{
-    EffectiveEdge, Fans, FeatureLine, FeatureOptions, Features, Intersections, LineClass,
-    LineOrigin, Mesh, View, ViewCoordinates, facing, triangle_hierarchy,
+    ConvexParts, EffectiveEdge, Fans, FeatureLine, FeatureOptions, Features, Intersections, Known,
+    LineClass, LineOrigin, Mesh, View, ViewCoordinates, facing, triangle_hierarchy,
 };
 use crate::run::{Cancelled, Run};
 use crate::spatial::Hierarchy;
+use std::sync::OnceLock;
 
 /// One line in this many edges makes it worth finding all piercings.
 const MANY_LINES: usize = 8;
@@ -32,8 +33,10 @@ pub struct PreparedView<'m> {
     coordinates: ViewCoordinates,
     facing: Vec<Sign>,
     features: Features,
+    convex: Option<ConvexParts>,
     intersections: Option<(Fans, Intersections)>,
-    hierarchy: Hierarchy,
+    /// Made when it is asked for.
+    hierarchy: OnceLock<Hierarchy>,
 }
 
 impl<'m> PreparedView<'m> {
@@ -64,6 +67,21 @@ impl<'m> PreparedView<'m> {
         wishes: &[ObjectWish],
         run: &Run,
     ) -> Result<Self, Cancelled> {
+        Self::with_skips::<P>(mesh, view, wishes, &Skips::default(), run)
+    }
+
+    /// As [`PreparedView::with_wishes`], with or without shortcuts.
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled or reaches a limit.
+    pub fn with_skips<P: Policy>(
+        mesh: &'m Mesh,
+        view: &View,
+        wishes: &[ObjectWish],
+        skips: &Skips,
+        run: &Run,
+    ) -> Result<Self, Cancelled> {
         let triangles = mesh.triangles().len() as u64;
         run.take(bytes_of_view(mesh))?;
         let (points, coordinates) = run.stage("coordinates", triangles, || {
@@ -79,22 +97,31 @@ impl<'m> PreparedView<'m> {
             (facing, features)
         });
         run.check()?;
-        let hierarchy =
-            run.stage("hierarchy", triangles, || triangle_hierarchy(mesh, &coordinates));
-        run.check()?;
         // With many lines, finding all piercings at once is cheaper than
         // asking for each line.
         let many = features.lines.len() > mesh.edges().len() / MANY_LINES;
         let wanted = wishes.iter().any(|wish| wish.features.wants(LineClass::Intersection));
+        let convex = match (wanted || many) && skips.convex {
+            false => None,
+            true => run.stage("convex parts", triangles, || {
+                ConvexParts::find::<P>(mesh, &points, view, &facing, run)
+            })?,
+        };
+        let hierarchy = OnceLock::new();
         let intersections = match wanted || many {
             false => None,
             true => {
+                let hierarchy = run.stage("hierarchy", triangles, || {
+                    hierarchy.get_or_init(|| triangle_hierarchy(mesh, &coordinates))
+                });
+                run.check()?;
                 let fans = run.stage("fans", triangles, || {
                     Fans::find(mesh, &coordinates, &facing, &features.effective)
                 });
                 run.check()?;
+                let known = Known { fans: Some(&fans), convex: convex.as_ref() };
                 let found = run.stage("intersections", triangles, || {
-                    Intersections::find::<P>(mesh, &points, &hierarchy, Some(&fans), run)
+                    Intersections::find::<P>(mesh, &points, hierarchy, known, run)
                 })?;
                 Some((fans, found))
             }
@@ -117,6 +144,7 @@ impl<'m> PreparedView<'m> {
             coordinates,
             facing,
             features,
+            convex,
             intersections,
             hierarchy,
         })
@@ -138,8 +166,10 @@ impl<'m> PreparedView<'m> {
                 .intersections
                 .as_ref()
                 .map(|(fans, found)| Contacts { fans, touching: &found.touching }),
+            convex: self.convex.as_ref(),
             hierarchy: &self.hierarchy,
             hidden_wanted,
+            window: None,
         }
     }
 

@@ -4,11 +4,13 @@ use super::LineSource;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Points};
 use crate::model::{
-    EdgePiercings, EffectiveEdge, Fans, FeatureLine, Frame, IntersectionLine, LineOrigin, Mesh,
-    ViewCoordinates,
+    ConvexParts, EdgePiercings, EffectiveEdge, Fans, FeatureLine, Frame, IntersectionLine,
+    LineOrigin, Mesh, ViewCoordinates, triangle_hierarchy,
 };
 use crate::run::map_indexed;
 use crate::spatial::{Crossings, Hierarchy};
+use glam::DVec2;
+use std::sync::OnceLock;
 
 /// Which parts of which lines are visible? Everything that a method needs,
 /// borrowed; nothing in it is rounded but the frame, which only boxes,
@@ -35,11 +37,18 @@ pub struct LineQuestion<'a> {
     pub piercings: Option<&'a EdgePiercings>,
     /// How triangles lie around their vertices, where that was searched.
     pub contacts: Option<Contacts<'a>>,
-    /// View boxes of the triangles.
-    pub hierarchy: &'a Hierarchy,
+    /// Convex parts, where they were searched.
+    pub convex: Option<&'a ConvexParts>,
+    /// View boxes of the triangles, once they were asked for:
+    /// [`LineQuestion::hierarchy`].
+    pub hierarchy: &'a OnceLock<Hierarchy>,
     /// Whether hidden pieces are wanted too. If not, a method may leave a
     /// line as soon as it is known to be hidden.
     pub hidden_wanted: bool,
+    /// Two opposite corners, the least first, of the part of the image that is
+    /// wanted, if not all of it is. A method may leave out lines that lie
+    /// wholly outside.
+    pub window: Option<[DVec2; 2]>,
 }
 
 /// What is known of the triangles at vertices: enough to carry counts from
@@ -52,7 +61,24 @@ pub struct Contacts<'a> {
     pub touching: &'a [u32],
 }
 
-impl LineQuestion<'_> {
+impl<'a> LineQuestion<'a> {
+    /// The same for a part of the image, between its corners to the left and
+    /// below and to the right and above.
+    #[must_use]
+    pub fn within(self, low: DVec2, high: DVec2) -> LineQuestion<'a> {
+        LineQuestion { window: Some([low, high]), ..self }
+    }
+
+    /// View boxes of the triangles. O(n log n) when asked for the first time.
+    pub fn hierarchy(&self) -> &'a Hierarchy {
+        self.hierarchy.get_or_init(|| triangle_hierarchy(self.mesh, self.coordinates))
+    }
+
+    /// Whether view boxes of the triangles were asked for already.
+    pub fn has_hierarchy(&self) -> bool {
+        self.hierarchy.get().is_some()
+    }
+
     /// The effective edges by their view boxes. O(n log n).
     pub fn effective_crossings(&self) -> Crossings {
         let boxes = map_indexed(self.effective.len(), |i| {

@@ -6,6 +6,7 @@ use crate::model::surface::{CurveOptions, Curves, Surface};
 use crate::model::{FeatureLine, LineClass, LineOrigin, Mesh, MeshError, View, ViewCoordinates};
 use crate::run::Run;
 use crate::spatial::Hierarchy;
+use std::sync::OnceLock;
 
 /// Which parts of the lines of a surface are visible?
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +31,7 @@ pub struct PreparedSurface<'s> {
     points: Points,
     coordinates: ViewCoordinates,
     lines: Vec<FeatureLine>,
-    hierarchy: Hierarchy,
+    hierarchy: OnceLock<Hierarchy>,
 }
 
 /// What a point takes: itself and its number, its place and its box, two lines
@@ -67,7 +68,7 @@ impl<'s> PreparedSurface<'s> {
             points,
             coordinates,
             lines: (0..curves.len() as u32).map(line).collect(),
-            hierarchy: Hierarchy::new(&[]),
+            hierarchy: OnceLock::new(),
             curves,
             mesh,
         })
@@ -90,8 +91,10 @@ impl<'s> PreparedSurface<'s> {
                 intersections: &[],
                 piercings: None,
                 contacts: None,
+                convex: None,
                 hierarchy: &self.hierarchy,
                 hidden_wanted,
+                window: None,
             },
         }
     }

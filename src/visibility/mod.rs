@@ -17,7 +17,8 @@ mod ties;
 mod visible_lines;
 mod weiler_atherton;
 
-pub use appel::{AppelOptions, Culling, Fault, Skips, appel};
+pub use crate::view::{Culling, Skips};
+pub use appel::{AppelOptions, Fault, appel};
 pub use floating_horizon::{HorizonError, floating_horizon};
 pub use outline::outlined;
 pub use painter::{

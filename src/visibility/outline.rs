@@ -30,10 +30,12 @@
 //! Expected O(log n + k log k) for a line with k edges across its image.
 
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Carrier, Cut, Measured, Place, Point, Policy, Predicates};
+use crate::kernel::predicates::{
+    Carrier, Cut, Measured, Place, Point, Policy, Predicates, sort_by_predicates,
+};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::{Cancelled, Counters, Run, map_chunks};
-use crate::spatial::{Bounds, Crossings, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, Hierarchy, SegmentProbe};
 use crate::view::{ExactLines, ExactPiece, LineQuestion, OutlineOf};
 use std::cmp::Ordering;
 
@@ -52,12 +54,15 @@ pub fn outlined<P: Policy>(
     of: OutlineOf,
     run: &Run<'_>,
 ) -> Result<ExactLines, Cancelled> {
+    let triangles = question.hierarchy();
+    run.check()?;
     let parts = run.stage("outline", answer.len() as u64, || {
         let effective = question.effective_crossings();
         map_chunks(answer.len(), PART, |part| {
             run.check()?;
             let predicates = Predicates::<P>::new(question.points);
-            let mut seeker = Seeker { question, effective: &effective, of, predicates, crossed: 0 };
+            let mut seeker =
+                Seeker { question, effective: &effective, triangles, of, predicates, crossed: 0 };
             let mut lines = ExactLines::default();
             for line in part {
                 run.check()?;
@@ -99,6 +104,8 @@ struct Change<T> {
 struct Seeker<'a, 'q, P: Policy> {
     question: &'a LineQuestion<'q>,
     effective: &'a Crossings,
+    /// View boxes of all triangles.
+    triangles: &'a Hierarchy,
     of: OutlineOf,
     predicates: Predicates<'q, P>,
     crossed: u64,
@@ -198,7 +205,7 @@ impl<P: Policy> Seeker<'_, '_, P> {
     /// How many sheets are over the two sides of the beginning of a way.
     fn covers_of_start(&self, way: &Way) -> Sides {
         let mut sum = [0; 2];
-        self.question.hierarchy.visit(
+        self.triangles.visit(
             |group| group.hiding(&way.start),
             |triangle| {
                 let covers = self.covers_start(way, triangle);
@@ -248,7 +255,7 @@ impl<P: Policy> Seeker<'_, '_, P> {
     fn changes(&self, way: &Way) -> Vec<Change<Sides>> {
         let mut changes = Vec::new();
         self.effective.candidates(&way.probe, |index| changes.extend(self.change(way, index)));
-        changes.sort_by(|a, b| self.order(way.carrier, a, b));
+        sort_by_predicates::<P, _>(&mut changes, |a, b| self.order(way.carrier, a, b));
         changes
     }
 

@@ -149,8 +149,14 @@ fn a_drawing_without_its_hidden_lines_is_the_one_that_never_had_any() {
         for camera in cameras {
             let camera = format!("{camera} --edges contour,boundary,crease,mesh,intersection");
             folder.succeeds(&format!("draw {model} -o a.json {camera} --hidden solid --halo 0"));
-            for style in ["", "--layer-by object", "--halo 1mm --order greedy", "--weight 1..0.2mm"]
-            {
+            for style in [
+                "",
+                "--layer-by object",
+                "--halo 1mm --order greedy",
+                "--weight 1..0.2mm",
+                "--frame -0.31,-0.4,0.5,0.27",
+                "--frame -0.31,-0.4,0.5,0.27 --weight 1..0.2mm --layer-by class",
+            ] {
                 let both = |name: &str| format!("-o {name}.svg -o {name}.hpgl --precision 9");
                 folder.succeeds(&format!("draw {model} {camera} {} {style}", both("model")));
                 folder.succeeds(&format!("draw a.json {} {style}", both("json")));
@@ -162,4 +168,29 @@ fn a_drawing_without_its_hidden_lines_is_the_one_that_never_had_any() {
             }
         }
     }
+}
+
+#[test]
+fn lines_outside_of_the_frame_are_not_looked_at() {
+    let folder = Folder::with_cube();
+    folder.write("wave.obj", &fixture::wave(16));
+    let draw = "draw wave.obj --edges mesh --stats -o";
+    let left_out = |arguments: &str| {
+        let said = folder.succeeds(&format!("{draw} {arguments}"));
+        let line = said.errors.lines().find(|line| line.starts_with("lines-outside"));
+        line.unwrap().split_whitespace().last().unwrap().parse::<u32>().unwrap()
+    };
+    assert_eq!(left_out("a.svg"), 0);
+    assert!(left_out("a.svg --frame 0,0,1,1") > 100);
+    // All lines are wanted in a drawing that is kept.
+    assert_eq!(left_out("a.json --frame 0,0,1,1"), 0);
+    folder.succeeds("draw wave.obj --edges mesh -o a.json");
+    let nowhere = ["wave.obj --edges mesh", "a.json"].map(|from| {
+        let output = folder.command(&format!("draw {from} -o b.svg --frame 60,60,70,80")).output();
+        let output = output.unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        String::from_utf8(output.stderr).unwrap()
+    });
+    assert!(nowhere[0].contains("the lines reach from"), "{}", nowhere[0]);
+    assert_eq!(nowhere[0], nowhere[1]);
 }

@@ -17,10 +17,10 @@ use crate::style_flags::StyleFlags;
 use crate::surface_flags::SurfaceFlags;
 use clap::Args;
 use std::path::PathBuf;
-use umriss::drawing::{Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles};
+use umriss::drawing::{Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, Window};
 use umriss::export::{DrawingNotes, OutputFormat};
 use umriss::kernel::predicates::Exact;
-use umriss::model::{LineOrigin, Scene, Soup};
+use umriss::model::{LineOrigin, Scene, Soup, View};
 use umriss::run::Run;
 use umriss::view::{Crossing, ImageRegions, PreparedView, VisibleLines};
 use umriss::visibility::{
@@ -108,11 +108,13 @@ impl Draw {
         let outputs = self.outputs.plan()?;
         let plotter = self.plotter.plotter()?;
         self.refuse_what_is_not_painted(&outputs)?;
-        let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        let all_lines = outputs.any(OutputFormat::Json);
+        let computed = self.session.run(|run| self.draw(&plotter, all_lines, run))?;
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 
-    fn draw(&self, plotter: &Plotter, run: &Run<'_>) -> Result<Computed, Failure> {
+    /// `all_lines`, or those that the page shows.
+    fn draw(&self, plotter: &Plotter, all_lines: bool, run: &Run<'_>) -> Result<Computed, Failure> {
         let hidden = self.options(&DrawingNotes::default()).hidden != Hidden::None;
         self.method.map_or(Ok(()), |method| method.check(hidden))?;
         let styles = self.style.styles()?;
@@ -124,7 +126,8 @@ impl Draw {
             Subject::Scene(scene) if paints => return self.paint(&scene, &styles, run),
             Subject::Scene(scene) => {
                 let (lines, crossings);
-                (lines, crossings, regions) = self.find(&scene, hidden, &styles, run)?;
+                (lines, crossings, regions) =
+                    self.find(&scene, [hidden, all_lines], &styles, run)?;
                 let (unit, hidden) = (Some(scene.unit), Some(hidden));
                 let outline = self.style.outline_wanted(&styles);
                 (lines, DrawingNotes { unit, hidden, outline, crossings })
@@ -173,7 +176,7 @@ impl Draw {
     fn find(
         &self,
         scene: &Scene,
-        hidden: bool,
+        [hidden, all_lines]: [bool; 2],
         styles: &Styles,
         run: &Run<'_>,
     ) -> Result<(VisibleLines, Option<Vec<Crossing>>, ImageRegions), Failure> {
@@ -190,6 +193,16 @@ impl Draw {
             true => Some(visible_regions::<Exact>(&question, &RegionOptions::default(), run)?),
             false => None,
         };
+        let window = self.window(scene, &view, styles);
+        if let Some(window) = window.filter(|_| method == Method::Appel && !all_lines) {
+            let part = question.within(window.low(), window.high());
+            let answer = method.answer(&part, None, run)?;
+            let lines = reduce::<Exact>(&part, &answer, run)?;
+            // If none is in the window it is told where they all are.
+            if lines.pieces.iter().any(|piece| window.shows(piece, view.frame.projection)) {
+                return Ok((lines, None, ImageRegions::default()));
+            }
+        }
         let mut answer = method.answer(&question, regions.as_ref(), run)?;
         if let Some(of) = self.style.outline_wanted(styles) {
             answer = outlined::<Exact>(&question, &answer, of, run)?;
@@ -205,6 +218,19 @@ impl Draw {
             None => ImageRegions::default(),
         };
         Ok((lines, crossings, regions))
+    }
+
+    /// The part of the image that the page shows, if what lies outside of it
+    /// has no part in how that is drawn.
+    fn window(&self, scene: &Scene, view: &View, styles: &Styles) -> Option<Window> {
+        let notes = DrawingNotes { unit: Some(scene.unit), ..DrawingNotes::default() };
+        let options = self.options(&notes);
+        // Widths follow the depths of all lines.
+        let alone = !self.surfaces.any()
+            && self.style.outline_wanted(styles).is_none()
+            && !self.style.crossings_wanted()
+            && options.weight.is_none();
+        options.window_in(&view.frame).filter(|_| alone)
     }
 
     /// The scene painted back to front.

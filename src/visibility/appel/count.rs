@@ -41,7 +41,7 @@ impl<P: Policy> Walker<'_, P> {
         let start = walk.start;
         let mut sum = Sides::default();
         let Some(vertex) = walk.vertices[0] else {
-            self.question.hierarchy.visit(
+            self.triangles.visit(
                 |group| group.hiding(&start),
                 |triangle| sum.add(self.covers_start(walk, triangle)),
             );
@@ -63,7 +63,7 @@ impl<P: Policy> Walker<'_, P> {
         counted.unsure.clear();
         counted.sure = 0;
         counted.vertex = Some(vertex);
-        self.question.hierarchy.visit(
+        self.triangles.visit(
             |group| group.hiding(start),
             |triangle| match self.covers_vertex(vertex, triangle) {
                 Sign::Positive => counted.sure += 1,

@@ -12,23 +12,11 @@
 //! Source: see [`crate::spatial::OcclusionMap`].
 
 use crate::model::{FeatureLine, LineOrigin};
-use crate::run::{Cancelled, Run, map_chunks, map_indexed};
+use crate::run::{Cancelled, Run, map_chunks, map_indexed, sample};
 use crate::spatial::{Grid, OcclusionMap, Placed, cover};
-use crate::view::LineQuestion;
+use crate::view::{Culling, LineQuestion};
 use glam::DVec2;
 use std::ops::Range;
-
-/// When lines are culled that lie behind covered tiles.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Culling {
-    /// Where it is likely to pay.
-    #[default]
-    WhereItPays,
-    /// Always, for tests: the answer is the same.
-    Always,
-    /// Never, to measure what it buys.
-    Never,
-}
 
 /// So many tiles has a triangle of average size.
 const TILES_OF_A_TRIANGLE: f64 = 64.0;
@@ -135,7 +123,7 @@ fn corners(question: &LineQuestion<'_>, triangle: usize) -> Option<[Placed; 3]> 
 /// make all tiles large.
 fn middle_of_image(question: &LineQuestion<'_>) -> Option<(DVec2, DVec2)> {
     let vertices = question.mesh.vertices().len();
-    let places: Vec<DVec2> = sample(vertices)
+    let places: Vec<DVec2> = sample(vertices, SAMPLE)
         .filter_map(|vertex| question.coordinates.placed(vertex as u32))
         .map(|placed| placed.at.truncate())
         .collect();
@@ -165,19 +153,53 @@ fn layers(question: &LineQuestion<'_>, low: DVec2, high: DVec2) -> f64 {
         let [a, b, c] = [a, b, c].map(|corner| corner.at.truncate().clamp(low, high));
         (b - a).perp_dot(c - a).abs() / 2.0
     };
-    let (count, sum) = sample(triangles)
+    let (count, sum) = sample(triangles, SAMPLE)
         .fold((0.0, 0.0), |(count, sum), triangle| (count + 1.0, sum + area(triangle)));
     sum / count * triangles as f64 / (high - low).element_product()
 }
 
-/// Numbers below `count`, spread evenly and without a period that a grid might
-/// have too (steps of the golden ratio).
-fn sample(count: usize) -> impl Iterator<Item = usize> {
-    const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
-    (0..count.min(SAMPLE) as u64).map(move |i| {
-        let fraction = u128::from((i + 1).wrapping_mul(STEP));
-        ((fraction * count as u128) >> 64) as usize
-    })
+/// Whether a line is an edge that a convex part of its own hides.
+pub(super) fn is_at_back(question: &LineQuestion<'_>, line: &FeatureLine) -> bool {
+    match (question.convex, line.origin) {
+        (Some(parts), LineOrigin::Edge(edge)) => {
+            parts.hide_own_edge(question.mesh, question.facing, edge)
+        }
+        _ => false,
+    }
+}
+
+/// Whether a line lies wholly outside of the part of the image that is wanted.
+pub(super) fn is_outside(question: &LineQuestion<'_>, line: &FeatureLine) -> bool {
+    let Some(window) = question.window else { return false };
+    let outside = |vertices: &[u32]| {
+        let placed = vertices.iter().map(|&vertex| question.coordinates.placed(vertex));
+        image_box(placed)
+            .is_some_and(|[low, high]| high.cmplt(window[0]).any() || window[1].cmplt(low).any())
+    };
+    match line.origin {
+        LineOrigin::Edge(edge) => outside(&question.mesh.edges().ends(edge)),
+        LineOrigin::Loose(index) => outside(&question.mesh.loose_lines()[index as usize]),
+        LineOrigin::Intersection(index) => {
+            let triangles = question.intersections[index as usize].triangles;
+            triangles.iter().any(|&triangle| outside(&question.mesh.triangles()[triangle as usize]))
+        }
+    }
+}
+
+/// Two corners around the images of points, and around every point between
+/// them as a drawing rounds it; nothing if one of them has no image.
+fn image_box(points: impl Iterator<Item = Option<Placed>>) -> Option<[DVec2; 2]> {
+    /// A point between others is off by at most four times as much as they
+    /// are, and twice that is allowed.
+    const SLACKS: f64 = 8.0;
+    let (mut low, mut high, mut slack) = (DVec2::INFINITY, DVec2::NEG_INFINITY, 0.0);
+    for point in points {
+        let Placed { at, image_slack, .. } = point?;
+        low = low.min(at.truncate());
+        high = high.max(at.truncate());
+        slack = image_slack.max(slack);
+    }
+    Some([low - SLACKS * slack, high + SLACKS * slack])
 }
 
 /// Whether a line is hidden all along.

@@ -128,7 +128,7 @@ impl<P: Policy> Walker<'_, P> {
             }
             _ => {
                 let probe = walk.probe;
-                self.question.hierarchy.visit(
+                self.triangles.visit(
                     |group| group.overlapping(probe.bounds()) & group.meeting_line(&probe),
                     |triangle| events.extend(self.piercing(walk, triangle)),
                 );

@@ -21,8 +21,8 @@ use std::ops::Range;
 enum Kind {
     /// Nothing of the line has an image.
     Imageless,
-    /// The line lies wholly behind what is certainly covered.
-    Covered,
+    /// The line is not wanted, or known to be hidden all along.
+    LeftOut,
     /// The line carries no count and is walked afresh.
     Alone,
     /// An edge between two fans, without events.
@@ -87,7 +87,7 @@ impl Part {
         let mut listed = self.links.iter();
         self.kinds.iter().zip(first..).filter_map(move |(kind, line)| {
             let link = match kind {
-                Kind::Imageless | Kind::Covered | Kind::Alone => None,
+                Kind::Imageless | Kind::LeftOut | Kind::Alone => None,
                 Kind::Plain => plain(question, &question.lines[line]),
                 Kind::Listed => listed.next().copied(),
             };
@@ -176,9 +176,9 @@ fn first_pass<P: Policy>(
         run.advance(neighbours.len() as u64);
         walks.clear();
         for line in neighbours {
-            let covered = walker.is_covered(line);
-            walks.push(if covered {
-                Err(Kind::Covered)
+            let left_out = walker.is_left_out(line);
+            walks.push(if left_out {
+                Err(Kind::LeftOut)
             } else {
                 walker.begin(line).ok_or(Kind::Imageless)
             });
@@ -247,7 +247,7 @@ fn last_pass<P: Policy>(
             break;
         }
         match kind {
-            Kind::Imageless | Kind::Covered => {}
+            Kind::Imageless | Kind::LeftOut => {}
             Kind::Alone => walker.walk(line),
             Kind::Plain => {
                 let first = plain(question, line).and_then(|link| foreign.first_count(&link));

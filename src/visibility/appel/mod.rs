@@ -33,14 +33,15 @@ mod count;
 mod culling;
 mod events;
 mod linked;
+mod relevant;
 mod sweep;
 mod walker;
 
 use crate::kernel::predicates::Policy;
 use crate::run::{Cancelled, Counters, Growing, Run, map_chunks};
-use crate::view::{ExactLines, ExactPiece, LineQuestion};
-pub use culling::Culling;
+use crate::view::{Culling, ExactLines, ExactPiece, LineQuestion, Skips};
 use linked::linked_lines;
+use std::borrow::Cow;
 use std::ops::Range;
 use walker::Walker;
 
@@ -91,24 +92,6 @@ pub struct AppelOptions {
     pub skips: Skips,
 }
 
-/// Shortcuts of [`appel`]. None changes the answer; they can be turned off to
-/// measure what they buy.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Skips {
-    /// Lines behind what is certainly covered.
-    pub culling: Culling,
-    /// Whether a line is left as soon as it is known to be hidden all along.
-    pub early: bool,
-    /// Whether counts are carried from line to line where that can be done.
-    pub carry: bool,
-}
-
-impl Default for Skips {
-    fn default() -> Self {
-        Skips { culling: Culling::default(), early: true, carry: true }
-    }
-}
-
 /// How many of `lines` one task walks: so many that bookkeeping is little,
 /// so few that cores share the work evenly. The same on every machine.
 fn part_of(lines: usize) -> usize {
@@ -126,12 +109,21 @@ pub fn appel<P: Policy>(
     run: &Run<'_>,
 ) -> Result<ExactLines, Cancelled> {
     let count = question.lines.len();
+    let triangles = match question.has_hierarchy() {
+        true => Cow::Borrowed(question.hierarchy()),
+        false => {
+            let triangles = question.mesh.triangles().len() as u64;
+            run.stage("hierarchy", triangles, || relevant::triangles(question))
+        }
+    };
+    run.check()?;
     run.stage("appel", count as u64, || {
         let effective = question.effective_crossings();
         // A mistake shall show.
         let culling = if options.fault.is_some() { Culling::Never } else { options.skips.culling };
         let covered = culling::occlusion_map(question, culling, run)?;
-        let walker = || Walker::<P>::new(question, &effective, covered.as_ref(), options);
+        let walker =
+            || Walker::<P>::new(question, &effective, &triangles, covered.as_ref(), options);
         match question.contacts.filter(|_| options.skips.carry && question.piercings.is_some()) {
             Some(contacts) => linked_lines(question, &contacts, walker, run),
             None => gather(run, count, |part| {
@@ -144,7 +136,7 @@ pub fn appel<P: Policy>(
                     if !met.goes_on(walker.events_held()) || !made.goes_on(answer.piece_count()) {
                         break;
                     }
-                    walker.walk_unless_covered(&question.lines[line]);
+                    walker.walk_unless_left_out(&question.lines[line]);
                     answer.push_line(walker.pieces());
                 }
                 met.finish(walker.events_held())?;

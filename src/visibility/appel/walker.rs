@@ -7,7 +7,7 @@ use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Crossings, Nearby, OcclusionMap, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, Hierarchy, Nearby, OcclusionMap, SegmentProbe};
 use crate::view::{ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
@@ -69,6 +69,8 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Walker<'q, P: Policy> {
     pub(super) question: &'q LineQuestion<'q>,
     pub(super) effective: &'q Crossings,
+    /// View boxes of the triangles that may matter.
+    pub(super) triangles: &'q Hierarchy,
     /// What is certainly covered, where that was worth finding.
     covered: Option<&'q OcclusionMap>,
     /// Whether lines are left as soon as they are known to be hidden.
@@ -89,6 +91,10 @@ pub(super) struct Walker<'q, P: Policy> {
     pub(super) from_vertex: FromVertex,
     pub(super) vertices_counted: u64,
     pub(super) left_early: u64,
+    /// Whether convex parts hide their edges at the back.
+    knows_convex: bool,
+    lines_at_back: u64,
+    lines_outside: u64,
     lines_covered: u64,
 }
 
@@ -96,12 +102,14 @@ impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn new(
         question: &'q LineQuestion<'q>,
         effective: &'q Crossings,
+        triangles: &'q Hierarchy,
         covered: Option<&'q OcclusionMap>,
         options: &AppelOptions,
     ) -> Self {
         Walker {
             question,
             effective,
+            triangles,
             covered,
             leaves_early: options.skips.early && !question.hidden_wanted,
             nearby: Nearby::EVERYTHING,
@@ -117,6 +125,11 @@ impl<'q, P: Policy> Walker<'q, P> {
             from_vertex: FromVertex::default(),
             vertices_counted: 0,
             left_early: 0,
+            knows_convex: options.skips.convex
+                && options.fault.is_none()
+                && !question.hidden_wanted,
+            lines_at_back: 0,
+            lines_outside: 0,
             lines_covered: 0,
         }
     }
@@ -140,20 +153,31 @@ impl<'q, P: Policy> Walker<'q, P> {
         counters.add("first-counts", self.counted);
         counters.add("vertices-counted", self.vertices_counted);
         counters.add("lines-left-early", self.left_early);
+        counters.add("lines-at-back", self.lines_at_back);
+        counters.add("lines-outside", self.lines_outside);
         counters.add("lines-covered", self.lines_covered);
         counters
     }
 
-    /// Whether a line lies wholly behind what is certainly covered.
-    pub(super) fn is_covered(&mut self, line: &FeatureLine) -> bool {
+    /// Whether a line is not wanted or known to be hidden all along: at the back
+    /// of a convex part, or behind what is certainly covered.
+    pub(super) fn is_left_out(&mut self, line: &FeatureLine) -> bool {
+        if culling::is_outside(self.question, line) {
+            self.lines_outside += 1;
+            return true;
+        }
+        if self.knows_convex && culling::is_at_back(self.question, line) {
+            self.lines_at_back += 1;
+            return true;
+        }
         let covered = self.covered.is_some_and(|map| culling::hides(map, self.question, line));
         self.lines_covered += u64::from(covered);
         covered
     }
 
     /// Finds the pieces of one line, if it is not known to have none.
-    pub(super) fn walk_unless_covered(&mut self, line: &FeatureLine) {
-        if self.is_covered(line) {
+    pub(super) fn walk_unless_left_out(&mut self, line: &FeatureLine) {
+        if self.is_left_out(line) {
             self.pieces.clear();
         } else {
             self.walk(line);

@@ -50,7 +50,7 @@ use crate::kernel::predicates::{Policy, Predicates};
 use crate::model::Mesh;
 use crate::polygon::clipping::{Clipper, Corner, FillRule, Operand, Operation, Polygon, Ring};
 use crate::run::{Cancelled, Run, map_chunks};
-use crate::spatial::Group;
+use crate::spatial::{Group, Hierarchy};
 use crate::view::{LineQuestion, Region, VisibleRegions};
 use cover::Cover;
 use glam::DVec3;
@@ -117,6 +117,7 @@ pub fn visible_regions<P: Policy>(
         (near_sides::<P>(question), planar_faces::<P>(question))
     });
     run.check()?;
+    let triangles = question.hierarchy();
     let parts = run.stage("regions", groups.len() as u64, || {
         map_chunks(groups.len(), PART, |part| {
             run.check()?;
@@ -127,6 +128,7 @@ pub fn visible_regions<P: Policy>(
             let clipper = clipper.within(run);
             let mut worker = Worker {
                 question,
+                triangles,
                 options,
                 sides: &sides,
                 predicates: &predicates,
@@ -197,6 +199,8 @@ fn planar_faces<P: Policy>(question: &LineQuestion<'_>) -> Vec<Range<u32>> {
 /// Works on the faces of one task.
 struct Worker<'a, 'q, P: Policy> {
     question: &'a LineQuestion<'q>,
+    /// View boxes of all triangles.
+    triangles: &'a Hierarchy,
     options: &'a RegionOptions,
     sides: &'a [NearSide],
     predicates: &'a Predicates<'q, P>,
@@ -290,13 +294,13 @@ impl<P: Policy> Worker<'_, '_, P> {
     /// Collects what lies in front of a triangle; false if one of these
     /// covers it all.
     fn collect(&self, subject: &Sheet, cover: &mut Cover) -> bool {
-        let LineQuestion { mesh, coordinates, hierarchy, .. } = *self.question;
+        let LineQuestion { mesh, coordinates, .. } = *self.question;
         let bounds = coordinates.bounds(subject.corners);
         let is_hidden = Cell::new(false);
         let mut forget = self.options.fault == Some(RegionFault::ForgetOccluder);
         let over = || is_hidden.get() || self.run.is_stopped();
         let may = |group: &Group| if over() { 0 } else { group.hiding(&bounds) };
-        hierarchy.visit(may, |other| {
+        self.triangles.visit(may, |other| {
             if other == subject.triangle || over() {
                 return;
             }
