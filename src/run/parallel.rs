@@ -82,6 +82,28 @@ pub fn fill_indexed<T: Send>(target: &mut [T], work: impl Fn(usize) -> T + Sync 
     target.iter_mut().enumerate().for_each(|(i, slot)| *slot = work(i));
 }
 
+/// Cuts `target` where `ends` says that its parts end, and works on each of
+/// them, given its number; results in their order. The last part ends where
+/// `target` does.
+pub fn map_parts<T: Send, R: Send>(
+    target: &mut [T],
+    ends: &[usize],
+    work: impl Fn(usize, &mut [T]) -> R + Sync + Send,
+) -> Vec<R> {
+    let mut rest = target;
+    let mut start = 0;
+    let cut = |&end: &usize| {
+        let (part, others) = std::mem::take(&mut rest).split_at_mut(end - start);
+        (rest, start) = (others, end);
+        part
+    };
+    let parts: Vec<&mut [T]> = ends.iter().map(cut).collect();
+    let parts = parts.into_iter().enumerate();
+    #[cfg(feature = "parallel")]
+    let parts = parts.collect::<Vec<_>>().into_par_iter();
+    parts.map(|(number, part)| work(number, part)).collect()
+}
+
 /// Sorts by an order in which no two are equal.
 pub fn sort_by<T: Send>(list: &mut [T], order: impl Fn(&T, &T) -> std::cmp::Ordering + Sync) {
     #[cfg(feature = "parallel")]
@@ -100,5 +122,15 @@ mod tests {
         let lists: [&[u32]; 5] = [&[], &[1, 2], &[], &[3], &[]];
         assert_eq!(concat_map(&lists, |list, item| (list, *item)), [(1, 1), (1, 2), (3, 3)]);
         assert!(concat_map(&[] as &[&[u32]], |_, item| *item).is_empty());
+    }
+
+    #[test]
+    fn parts_of_any_length_are_worked_on_in_order() {
+        let mut target = [0; 5];
+        let lengths = map_parts(&mut target, &[0, 3, 3, 5], |number, part| {
+            part.fill(number);
+            part.len()
+        });
+        assert_eq!((lengths, target), (vec![0, 3, 0, 2], [1, 1, 1, 3, 3]));
     }
 }

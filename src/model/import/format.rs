@@ -56,16 +56,18 @@ impl Format {
     /// The format that the bytes themselves say, `None` if they do not say
     /// it clearly. A truncated binary STL file, for one, says nothing.
     pub fn from_content(bytes: &[u8]) -> Option<Format> {
+        Format::from_magic(bytes, bytes.len() as u64).or_else(|| from_first_words(bytes))
+    }
+
+    /// The format that the first bytes of a file of so many bytes prove.
+    pub(super) fn from_magic(bytes: &[u8], length: u64) -> Option<Format> {
         if bytes.starts_with(b"glTF") {
             return Some(Format::Gltf);
         }
         if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
             return Some(Format::Ply);
         }
-        if super::stl::has_binary_length(bytes) {
-            return Some(Format::Stl);
-        }
-        from_first_words(bytes)
+        super::stl::is_binary(bytes, length).then_some(Format::Stl)
     }
 }
 

@@ -39,6 +39,8 @@ mod stl;
 mod stl_text;
 mod text;
 
+use std::fs::File;
+use std::io::{self, Read as _};
 use std::path::Path;
 
 pub use error::ImportError;
@@ -88,15 +90,52 @@ pub fn read_file_within(
     let name = path.display().to_string();
     let io = |source| ImportError::Io { file: name.clone(), source };
     let size = path.metadata().map_err(io)?.len();
-    run.take(size)?;
-    let bytes = std::fs::read(path).map_err(io)?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let outcome = read(path, &bytes, format, Some(folder), run);
-    run.give_back(size);
+    let outcome = match read_in_place(path, format, run).map_err(io)? {
+        Some(outcome) => outcome,
+        None => {
+            run.take(size)?;
+            let bytes = std::fs::read(path).map_err(io)?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            let outcome = read(path, &bytes, format, Some(folder), run);
+            run.give_back(size);
+            outcome
+        }
+    };
     run.check()?;
     let imported = outcome.map_err(|fault| fault.named(&name))?;
     run.take(imported.objects.iter().map(bytes_of).sum())?;
     Ok(imported)
+}
+
+/// Reads a file piece by piece on all cores, if it is of a format for which
+/// that can be done: binary STL.
+fn read_in_place(
+    path: &Path,
+    format: Option<Format>,
+    run: &Run<'_>,
+) -> io::Result<Option<Read<Imported>>> {
+    let mut file = File::open(path)?;
+    let metadata = file.metadata()?;
+    let length = metadata.len();
+    if !metadata.is_file() || length < stl::HEADER as u64 {
+        return Ok(None);
+    }
+    let mut head = [0; stl::HEADER];
+    file.read_exact(&mut head)?;
+    let is_binary_stl = match format {
+        Some(Format::Stl) => stl::is_binary(&head, length),
+        Some(_) => false,
+        None => Format::from_magic(&head, length) == Some(Format::Stl),
+    };
+    if !is_binary_stl {
+        return Ok(None);
+    }
+    let format = Format::Stl;
+    if let Err(fault) = check_size(length, format) {
+        return Ok(Some(Err(fault)));
+    }
+    let found = stl::read_in_place(path, &head, run)?;
+    Ok(Some(found.map(|found| found.imported(format))))
 }
 
 /// What a soup takes.
@@ -152,6 +191,13 @@ struct Found {
     warnings: Vec<String>,
 }
 
+impl Found {
+    fn imported(self, format: Format) -> Imported {
+        let Found { objects, warnings } = self;
+        Imported { format, objects, placement: placement(format), warnings }
+    }
+}
+
 fn read(
     name: &Path,
     bytes: &[u8],
@@ -168,8 +214,8 @@ fn read(
             "the format is unknown, expected OBJ, STL, PLY, OFF, JSON, glTF or GLB",
         ));
     };
-    check_size(bytes, format)?;
-    let Found { objects, warnings } = match format {
+    check_size(bytes.len() as u64, format)?;
+    let found = match format {
         Format::Obj => obj::read(bytes, run),
         Format::Stl => stl::read(bytes, run),
         Format::Off => off::read(bytes, run),
@@ -177,15 +223,15 @@ fn read(
         Format::PolygonScene => read_polygon_scene(bytes),
         Format::Gltf => read_gltf(bytes, folder),
     }?;
-    Ok(Imported { format, objects, placement: placement(format), warnings })
+    Ok(found.imported(format))
 }
 
 /// Vertex and corner numbers are 32 bits wide. One of either takes at least
 /// one byte of any format, and 50 bytes of binary STL make three.
-fn check_size(bytes: &[u8], format: Format) -> Read<()> {
+fn check_size(bytes: u64, format: Format) -> Read<()> {
     let most = if format == Format::Stl { u64::from(u32::MAX) / 3 * 50 } else { u32::MAX.into() };
-    if most < bytes.len() as u64 {
-        let message = format!("{} bytes are too many, expected {most} at most", bytes.len());
+    if most < bytes {
+        let message = format!("{bytes} bytes are too many, expected {most} at most");
         return Err(Fault::file(message));
     }
     Ok(())

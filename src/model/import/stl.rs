@@ -6,11 +6,15 @@
 //! begin with the word `solid` that should mark the text form, so the length
 //! decides: a file of exactly 84 + 50 n bytes for its own n is binary (no
 //! text can be: the n of four printable bytes exceeds half a thousand
-//! million). Facets are independent, so they are decoded in parallel.
+//! million). Facets are independent, so they are read and decoded in parallel,
+//! and the file as a whole is never in memory.
 //! Corners are welded here only as far as it saves copies, for good later;
 //! normals are not read, because the corners say all that is true.
 
+use std::fs::File;
+use std::io::{self, BufReader, Read as _, Seek, SeekFrom};
 use std::ops::Range;
+use std::path::Path;
 
 use glam::DVec3;
 
@@ -19,20 +23,34 @@ use super::error::{Fault, Read};
 use super::{Found, stl_text};
 use crate::run::{Run, concat_map, map_chunks};
 
-const HEADER: usize = 84;
+/// Bytes before the first facet.
+pub(super) const HEADER: usize = 84;
 const FACET: usize = 50;
 
 /// Reads an STL file of either form.
 pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
-    if !has_binary_length(bytes) && looks_like_text(bytes) {
+    if !is_binary(bytes, bytes.len() as u64) && looks_like_text(bytes) {
         return stl_text::read(bytes, run);
     }
     read_binary(bytes, run)
 }
 
-/// Whether the file is exactly as long as its number of facets says.
-pub(super) fn has_binary_length(bytes: &[u8]) -> bool {
-    facet_count(bytes).is_some_and(|count| binary_length(count) == bytes.len() as u64)
+/// Reads a binary file of facets that are all there, given its first bytes,
+/// piece by piece.
+///
+/// # Errors
+///
+/// The outer one if the file cannot be read.
+pub(super) fn read_in_place(path: &Path, head: &[u8], run: &Run<'_>) -> io::Result<Read<Found>> {
+    let count = facet_count(head).unwrap_or(0) as usize;
+    let soup = soup_of(&Facets::InFile { path, count }, run)?;
+    Ok(soup.map(|soup| Found { objects: vec![soup], ..Found::default() }))
+}
+
+/// Whether a file of so many bytes, given the first ones, is exactly as long as
+/// its number of facets says.
+pub(super) fn is_binary(head: &[u8], length: u64) -> bool {
+    facet_count(head).is_some_and(|count| binary_length(count) == length)
 }
 
 fn facet_count(bytes: &[u8]) -> Option<u32> {
@@ -69,12 +87,53 @@ fn read_binary(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
         }
         found.warnings.push(format!("{surplus} bytes after the last facet are ignored"));
     }
-    let (facets, _) = bytes[HEADER..expected as usize].as_chunks::<FACET>();
-    found.objects.push(soup_of(facets, run)?);
+    let facets = Facets::InMemory(&bytes[HEADER..expected as usize]);
+    // What is in memory can be read.
+    let soup = soup_of(&facets, run).map_err(|error| Fault::file(error.to_string()))?;
+    found.objects.push(soup?);
     Ok(found)
 }
 
-/// Facets that one task decodes.
+/// Facets, wherever they are.
+enum Facets<'a> {
+    InMemory(&'a [u8]),
+    InFile { path: &'a Path, count: usize },
+}
+
+impl Facets<'_> {
+    fn count(&self) -> usize {
+        match self {
+            Facets::InMemory(bytes) => bytes.len() / FACET,
+            Facets::InFile { count, .. } => *count,
+        }
+    }
+
+    /// Decodes some of them.
+    fn decoded(&self, part: Range<usize>) -> io::Result<Part> {
+        let [from, to] = [part.start, part.end].map(|facet| facet * FACET);
+        match *self {
+            Facets::InMemory(bytes) => {
+                decode_part(bytes[from..to].as_chunks().0.iter().copied().map(Ok), part)
+            }
+            Facets::InFile { path, .. } => {
+                let mut file = File::open(path)?;
+                file.seek(SeekFrom::Start((HEADER + from) as u64))?;
+                let mut file = BufReader::with_capacity(BUFFER, file);
+                let facet = |_| {
+                    let mut facet = [0; FACET];
+                    file.read_exact(&mut facet).map(|()| facet)
+                };
+                decode_part(part.clone().map(facet), part)
+            }
+        }
+    }
+}
+
+/// Bytes that are read from a file at once: so few that they stay in the
+/// cache until they are decoded.
+const BUFFER: usize = 1 << 16;
+
+/// Facets that one task reads and decodes.
 const PART: usize = 1 << 15;
 
 /// Slots of the table of vertices seen lately: small enough for the cache of
@@ -88,18 +147,19 @@ struct Part {
     /// Number of the corner in the file from which each vertex was taken.
     numbers: Vec<u32>,
     corners: Vec<u32>,
-    /// The first facet with a number that is not finite.
-    wrong: Option<usize>,
+    /// What is wrong with the first facet that has a number that is not finite.
+    wrong: Option<Fault>,
 }
 
 /// Decodes all facets, in parallel.
-fn soup_of(facets: &[[u8; FACET]], run: &Run<'_>) -> Read<Soup> {
-    let parts = map_chunks(facets.len(), PART, |part| match run.is_stopped() {
-        true => Part::default(),
-        false => decode_part(facets, part),
+fn soup_of(facets: &Facets<'_>, run: &Run<'_>) -> io::Result<Read<Soup>> {
+    let parts = map_chunks(facets.count(), PART, |part| match run.is_stopped() {
+        true => Ok(Part::default()),
+        false => facets.decoded(part),
     });
-    if let Some(facet) = parts.iter().find_map(|part| part.wrong) {
-        return Err(not_finite(facet, &decode(&facets[facet])));
+    let mut parts = parts.into_iter().collect::<io::Result<Vec<Part>>>()?;
+    if let Some(wrong) = parts.iter_mut().find_map(|part| part.wrong.take()) {
+        return Ok(Err(wrong));
     }
     let mut offsets = Vec::with_capacity(parts.len());
     let mut sum = 0;
@@ -113,20 +173,27 @@ fn soup_of(facets: &[[u8; FACET]], run: &Run<'_>) -> Read<Soup> {
     let vertices = concat_map(&vertices, |_, vertex| *vertex);
     let numbers = concat_map(&numbers, |_, number| *number);
     let faces = Faces::from_triangles(concat_map(&corners, |part, corner| corner + offsets[part]));
-    Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() })
+    Ok(Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() }))
 }
 
-/// Decodes some facets. Most vertices stand in the file six times, close to
-/// one another: a table of those seen lately keeps most copies from being
-/// made. What it misses is welded with everything else later.
-fn decode_part(facets: &[[u8; FACET]], range: Range<usize>) -> Part {
+/// Decodes some facets, given what they are in the file. Most vertices stand in
+/// it six times, close to one another: a table of those seen lately keeps most
+/// copies from being made. What it misses is welded with everything else later.
+fn decode_part(
+    facets: impl Iterator<Item = io::Result<[u8; FACET]>>,
+    numbers: Range<usize>,
+) -> io::Result<Part> {
     const EMPTY: u32 = u32::MAX;
     let mut seen = vec![EMPTY; SLOTS];
-    let mut part = Part { corners: Vec::with_capacity(3 * range.len()), ..Part::default() };
-    for facet in range {
-        let triangle = decode(&facets[facet]);
+    let mut part = Part::default();
+    part.corners.reserve(3 * numbers.len());
+    // As many as a closed surface has, and some for the part's border.
+    part.vertices.reserve(numbers.len() * 5 / 8);
+    part.numbers.reserve(numbers.len() * 5 / 8);
+    for (facet, bytes) in numbers.zip(facets) {
+        let triangle = decode(&bytes?);
         if part.wrong.is_none() && !triangle.iter().all(|corner| corner.is_finite()) {
-            part.wrong = Some(facet);
+            part.wrong = Some(not_finite(facet, &triangle));
         }
         for (i, &corner) in triangle.iter().enumerate() {
             let slot = &mut seen[slot_of(corner)];
@@ -139,7 +206,7 @@ fn decode_part(facets: &[[u8; FACET]], range: Range<usize>) -> Part {
             part.corners.push(*slot);
         }
     }
-    part
+    Ok(part)
 }
 
 /// The slot of a position. Equal positions have equal bits after adding 0.
