@@ -6,7 +6,7 @@
 //! independent and run in parallel; edges come out ordered by their
 //! vertices, whatever the order of the triangles. O(n).
 
-use crate::run::{concat_map, map_chunks, map_indexed};
+use crate::run::{concat_map, map_chunks, map_parts};
 
 /// All edges of a mesh, each with its incident triangles.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -48,19 +48,41 @@ impl Edges {
     }
 }
 
-/// One side of one triangle.
-#[derive(Debug, Clone, Copy, Default)]
-struct HalfEdge {
-    low: u32,
-    high: u32,
-    triangle: u32,
-}
-
-/// Vertices per range: the counters of a range stay in the cache.
+/// Bits of a vertex within its range: the counters of a range stay in the
+/// cache.
 const RANGE_BITS: u32 = 12;
 
-/// Triangles of one part of the dealing.
-const PART: usize = 1 << 18;
+/// Bits of a triangle within its part of the dealing.
+const PART_BITS: u32 = 18;
+
+/// One side of one triangle, in one word: the larger vertex, the smaller one
+/// within its range, the triangle within its part.
+#[derive(Debug, Clone, Copy, Default)]
+struct HalfEdge(u64);
+
+impl HalfEdge {
+    #[inline(always)]
+    fn new(x: u32, y: u32, triangle: usize) -> Self {
+        let low = x.min(y) & ((1 << RANGE_BITS) - 1);
+        let high = u64::from(x.max(y)) << RANGE_BITS | u64::from(low);
+        HalfEdge(high << PART_BITS | triangle as u64 & ((1 << PART_BITS) - 1))
+    }
+
+    #[inline(always)]
+    fn low(self) -> usize {
+        (self.0 >> PART_BITS) as usize & ((1 << RANGE_BITS) - 1)
+    }
+
+    #[inline(always)]
+    fn high(self) -> u32 {
+        (self.0 >> (PART_BITS + RANGE_BITS)) as u32
+    }
+
+    #[inline(always)]
+    fn triangle(self) -> u32 {
+        self.0 as u32 & ((1 << PART_BITS) - 1)
+    }
+}
 
 /// The half-edges of one part of the triangles, ordered by range.
 struct Dealt {
@@ -68,101 +90,112 @@ struct Dealt {
     ends: Vec<u32>,
 }
 
-fn half_edges(triangles: &[[u32; 3]], triangle: usize) -> [HalfEdge; 3] {
-    let [a, b, c] = triangles[triangle];
-    let half_edge =
-        |x: u32, y: u32| HalfEdge { low: x.min(y), high: x.max(y), triangle: triangle as u32 };
-    [half_edge(a, b), half_edge(b, c), half_edge(c, a)]
+impl Dealt {
+    fn range(&self, range: usize) -> &[HalfEdge] {
+        let start = if range == 0 { 0 } else { self.ends[range - 1] as usize };
+        &self.half_edges[start..self.ends[range] as usize]
+    }
+}
+
+/// Turns numbers of items into the places where they begin, one list after
+/// the other; leaves where they end.
+fn places(ends: &mut [u32]) -> Vec<u32> {
+    let mut sum = 0;
+    let place = |end: &mut u32| {
+        let start = sum;
+        sum += *end;
+        *end = sum;
+        start
+    };
+    ends.iter_mut().map(place).collect()
 }
 
 fn deal(triangles: &[[u32; 3]], part: std::ops::Range<usize>, ranges: usize) -> Dealt {
     let mut ends = vec![0_u32; ranges];
-    for triangle in part.clone() {
-        for half_edge in half_edges(triangles, triangle) {
-            ends[(half_edge.low >> RANGE_BITS) as usize] += 1;
-        }
+    let range = |x: u32, y: u32| (x.min(y) >> RANGE_BITS) as usize;
+    for &[a, b, c] in &triangles[part.clone()] {
+        [[a, b], [b, c], [c, a]].into_iter().for_each(|[x, y]| ends[range(x, y)] += 1);
     }
-    let mut next = Vec::with_capacity(ranges);
-    let mut sum = 0;
-    for end in &mut ends {
-        next.push(sum);
-        sum += *end;
-        *end = sum;
-    }
-    let mut dealt = vec![HalfEdge::default(); 3 * part.len()];
-    for triangle in part {
-        for half_edge in half_edges(triangles, triangle) {
-            let slot = &mut next[(half_edge.low >> RANGE_BITS) as usize];
-            dealt[*slot as usize] = half_edge;
+    let mut next = places(&mut ends);
+    let mut half_edges = vec![HalfEdge::default(); 3 * part.len()];
+    for (triangle, &[a, b, c]) in triangles[part].iter().enumerate() {
+        for [x, y] in [[a, b], [b, c], [c, a]] {
+            let slot = &mut next[range(x, y)];
+            half_edges[*slot as usize] = HalfEdge::new(x, y, triangle);
             *slot += 1;
         }
     }
-    Dealt { half_edges: dealt, ends }
+    Dealt { half_edges, ends }
 }
 
 /// Finds the edges of triangles over `vertices` vertices.
 pub(super) fn edges_of(triangles: &[[u32; 3]], vertices: usize) -> Edges {
     let ranges = (vertices >> RANGE_BITS) + 1;
-    let parts = map_chunks(triangles.len(), PART, |part| deal(triangles, part, ranges));
-    let found = map_indexed(ranges, |range| {
-        let half_edges = parts.iter().flat_map(|part| {
-            let start = if range == 0 { 0 } else { part.ends[range - 1] as usize };
-            &part.half_edges[start..part.ends[range] as usize]
-        });
-        edges_of_range(half_edges.copied(), (range as u32) << RANGE_BITS)
+    let parts = map_chunks(triangles.len(), 1 << PART_BITS, |part| deal(triangles, part, ranges));
+    let mut incident = vec![0; 3 * triangles.len()];
+    let mut ends = Vec::with_capacity(ranges);
+    let mut sum = 0;
+    for range in 0..ranges {
+        sum += parts.iter().map(|part| part.range(range).len()).sum::<usize>();
+        ends.push(sum);
+    }
+    let found = map_parts(&mut incident, &ends, |range, incident| {
+        let before = if range == 0 { 0 } else { ends[range - 1] };
+        let half_edges = parts.iter().map(|part| part.range(range)).collect::<Vec<_>>();
+        edges_of_range(&half_edges, (range as u32) << RANGE_BITS, before as u32, incident)
     });
-    drop(parts);
-    concatenate(&found)
+    let ends: Vec<&[[u32; 2]]> = found.iter().map(|edges| &edges.ends[..]).collect();
+    let incident_ends: Vec<&[u32]> = found.iter().map(|edges| &edges.incident[..]).collect();
+    Edges {
+        ends: concat_map(&ends, |_, ends| *ends),
+        incident: concat_map(&incident_ends, |_, end| *end),
+        triangles: incident,
+    }
 }
 
-/// The edges whose smaller vertex lies in the range that begins at `first`.
-/// `half_edges` come in ascending order of their triangles.
-fn edges_of_range(half_edges: impl Iterator<Item = HalfEdge> + Clone, first: u32) -> Edges {
-    let mut ends = vec![0_u32; 1 << RANGE_BITS];
-    half_edges.clone().for_each(|half_edge| ends[(half_edge.low - first) as usize] += 1);
-    let mut next = Vec::with_capacity(ends.len());
-    let mut sum = 0;
-    for end in &mut ends {
-        next.push(sum);
-        sum += *end;
-        *end = sum;
-    }
-    let mut sorted = vec![(0, 0); sum as usize];
-    for half_edge in half_edges {
-        let slot = &mut next[(half_edge.low - first) as usize];
-        sorted[*slot as usize] = (half_edge.high, half_edge.triangle);
-        *slot += 1;
+/// The edges whose smaller vertex lies in the range that begins at `first`,
+/// without their triangles, which go to `triangles`, behind `before` others.
+/// `half_edges` are those of each part.
+fn edges_of_range(
+    half_edges: &[&[HalfEdge]],
+    first: u32,
+    before: u32,
+    triangles: &mut [u32],
+) -> Edges {
+    let mut ends = [0_u32; 1 << RANGE_BITS];
+    half_edges.iter().copied().flatten().for_each(|half_edge| ends[half_edge.low()] += 1);
+    let mut next = places(&mut ends);
+    // The larger vertex and the triangle, in one word for the sake of sorting.
+    let mut spokes = vec![0_u64; triangles.len()];
+    for (part, half_edges) in half_edges.iter().enumerate() {
+        for half_edge in *half_edges {
+            let triangle = (part as u32) << PART_BITS | half_edge.triangle();
+            let slot = &mut next[half_edge.low()];
+            spokes[*slot as usize] = u64::from(half_edge.high()) << 32 | u64::from(triangle);
+            *slot += 1;
+        }
     }
     let mut edges = Edges::default();
+    edges.ends.reserve(spokes.len());
+    edges.incident.reserve(spokes.len());
     let mut start = 0;
-    for (offset, &end) in ends.iter().enumerate() {
-        let spokes = &mut sorted[start as usize..end as usize];
-        spokes.sort_unstable();
-        for spokes in spokes.chunk_by(|a, b| a.0 == b.0) {
-            edges.ends.push([first + offset as u32, spokes[0].0]);
-            edges.triangles.extend(spokes.iter().map(|spoke| spoke.1));
-            edges.incident.push(edges.triangles.len() as u32);
+    for (low, &end) in (first..).zip(&ends) {
+        let around = &mut spokes[start as usize..end as usize];
+        around.sort_unstable();
+        for (i, spoke) in around.iter().enumerate() {
+            let place = start + i as u32;
+            let high = (spoke >> 32) as u32;
+            triangles[place as usize] = *spoke as u32;
+            if i > 0 && edges.ends.last() == Some(&[low, high]) {
+                edges.incident.pop();
+            } else {
+                edges.ends.push([low, high]);
+            }
+            edges.incident.push(before + place + 1);
         }
         start = end;
     }
     edges
-}
-
-fn concatenate(found: &[Edges]) -> Edges {
-    let mut offsets = Vec::with_capacity(found.len());
-    let mut sum = 0;
-    for part in found {
-        offsets.push(sum);
-        sum += part.triangles.len() as u32;
-    }
-    let ends: Vec<&[[u32; 2]]> = found.iter().map(|part| &part.ends[..]).collect();
-    let incident: Vec<&[u32]> = found.iter().map(|part| &part.incident[..]).collect();
-    let triangles: Vec<&[u32]> = found.iter().map(|part| &part.triangles[..]).collect();
-    Edges {
-        ends: concat_map(&ends, |_, ends| *ends),
-        incident: concat_map(&incident, |part, end| end + offsets[part]),
-        triangles: concat_map(&triangles, |_, triangle| *triangle),
-    }
 }
 
 #[cfg(test)]

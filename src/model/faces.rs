@@ -9,7 +9,7 @@ use super::Soup;
 use super::mesh::MeshReport;
 use crate::kernel::predicates::are_collinear;
 use crate::polygon::{TriangulationError, triangulate};
-use crate::run::map_chunks;
+use crate::run::{map_chunks, map_indexed};
 use glam::DVec3;
 use rustc_hash::FxHashSet;
 
@@ -68,32 +68,31 @@ fn plain_triangles(
     for (soup, &first) in soups.iter().zip(first_vertex) {
         let list = soup.faces.as_triangles().unwrap_or(&[]);
         let corner = |i: usize| new_of_old[(first + list[i]) as usize];
-        let parts = map_chunks(list.len() / 3, PART, |part| {
-            let all: Vec<[u32; 3]> =
-                part.map(|i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]).collect();
-            let bad: Vec<usize> = (0..all.len()).filter(|&i| is_flat(all[i], vertices)).collect();
-            (all, bad)
+        let all: Vec<[u32; 3]> =
+            map_indexed(list.len() / 3, |i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]);
+        let flat = map_chunks(all.len(), PART, |part| {
+            part.filter(|&i| is_flat(all[i], vertices)).collect::<Vec<_>>()
         });
-        corners.reserve(list.len() / 3);
-        for (all, bad) in parts {
-            if !bad.is_empty() && faces.is_none() {
-                faces = Some((0..corners.len() as u32).collect());
-            }
-            report.zero_area_faces += bad.len();
-            let mut bad = bad.into_iter().peekable();
-            match &mut faces {
-                None => corners.extend_from_slice(&all),
-                Some(faces) => {
-                    for (i, &triangle) in all.iter().enumerate() {
-                        if bad.next_if_eq(&i).is_none() {
-                            corners.push(triangle);
-                            faces.push(face_number + i as u32);
-                        }
+        let flat = flat.concat();
+        report.zero_area_faces += flat.len();
+        if !flat.is_empty() && faces.is_none() {
+            faces = Some((0..corners.len() as u32).collect());
+        }
+        let count = all.len() as u32;
+        match &mut faces {
+            None if corners.is_empty() => corners = all,
+            None => corners.extend_from_slice(&all),
+            Some(faces) => {
+                let mut flat = flat.into_iter().peekable();
+                for (i, &triangle) in all.iter().enumerate() {
+                    if flat.next_if_eq(&i).is_none() {
+                        corners.push(triangle);
+                        faces.push(face_number + i as u32);
                     }
                 }
             }
-            face_number += all.len() as u32;
         }
+        face_number += count;
     }
     Triangles { corners, faces, polygonal: false }
 }

@@ -29,7 +29,7 @@ pub(super) struct Welded {
 const BUCKET: usize = 1 << 13;
 
 /// Vertices of one part of the counting sort.
-const PART: usize = 1 << 19;
+const PART: usize = 1 << 16;
 
 /// The bits of a position, with -0 and 0 made equal.
 fn key(position: DVec3) -> [u64; 3] {
