@@ -30,6 +30,9 @@ pub struct Fans {
     triangles: Vec<u32>,
 }
 
+/// Edges or triangles that one task looks at.
+const PART: usize = 1 << 14;
+
 /// A count that says that a vertex is no fan, whatever is added.
 const SPOILED: u8 = u8::MAX;
 
@@ -47,9 +50,11 @@ impl Fans {
         };
         // With two triangles on one side each, nothing is gained or lost.
         effective.iter().for_each(|effective| spoil(effective.edge));
-        (0..mesh.edges().len() as u32)
-            .filter(|&edge| mesh.edges().triangles(edge).len() != 2)
-            .for_each(spoil);
+        let odd = map_chunks(mesh.edges().len(), PART, |part| {
+            let edges = part.map(|edge| edge as u32);
+            edges.filter(|&edge| mesh.edges().triangles(edge).len() != 2).collect::<Vec<_>>()
+        });
+        odd.iter().flatten().copied().for_each(spoil);
         let is_fan: Vec<bool> = turns.into_iter().map(|half_turns| half_turns == 2).collect();
         let (ends, triangles) = stars_of_others(mesh, &is_fan);
         Fans { is_fan, ends, triangles }
@@ -101,11 +106,12 @@ fn half_turns(mesh: &Mesh, coordinates: &ViewCoordinates, facing: &[Sign]) -> Ve
 /// The triangles at each vertex that is not a fan: ends of the lists, and
 /// the lists.
 fn stars_of_others(mesh: &Mesh, is_fan: &[bool]) -> (Vec<u32>, Vec<u32>) {
-    let corners = || {
-        let corners = |(i, corners): (usize, &[u32; 3])| corners.map(|corner| (corner, i as u32));
-        let all = mesh.triangles().iter().enumerate().flat_map(corners);
-        all.filter(|&(corner, _)| !is_fan[corner as usize])
-    };
+    // On a smooth surface these are few.
+    let others = map_chunks(mesh.triangles().len(), PART, |part| {
+        let corners = |i: usize| mesh.triangles()[i].map(|corner| (corner, i as u32));
+        part.flat_map(corners).filter(|&(corner, _)| !is_fan[corner as usize]).collect::<Vec<_>>()
+    });
+    let corners = || others.iter().flatten().copied();
     let mut ends = vec![0_u32; is_fan.len()];
     corners().for_each(|(corner, _)| ends[corner as usize] += 1);
     let mut next = Vec::with_capacity(ends.len());

@@ -19,7 +19,7 @@ use super::{ConvexParts, Fans, Mesh, ViewCoordinates};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Piercing, Point, Points, Policy, Predicates};
 use crate::run::{Cancelled, Growing, Run, sort_by};
-use crate::spatial::Hierarchy;
+use crate::spatial::{Hierarchy, Related};
 use std::cmp::Ordering;
 
 /// A segment in which two triangles cross.
@@ -85,11 +85,26 @@ impl Intersections {
         known: Known<'_>,
         run: &Run,
     ) -> Result<Self, Cancelled> {
-        let parts = hierarchy.overlapping_pairs(
-            run,
-            || Search::<P>::new(mesh, points, known, run),
-            |search, s, t| search.add_pair([s.min(t), s.max(t)]),
-        );
+        let start = || Search::<P>::new(mesh, points, known, run);
+        let found = |search: &mut Search<'_, P>, s: u32, t: u32| {
+            search.add_pair([s.min(t), s.max(t)]);
+        };
+        let parts = match known.fans {
+            None => hierarchy.overlapping_pairs(run, start, found),
+            Some(fans) => {
+                // The triangles of a fan meet in what they share.
+                let hubs = |triangle: u32| {
+                    mesh.triangles()[triangle as usize]
+                        .map(|corner| fans.is_fan(corner).then_some(corner))
+                };
+                let bytes = Related::bytes(mesh.triangles().len()) as u64;
+                run.take(bytes)?;
+                let related = Related::new(hierarchy, hubs);
+                let parts = hierarchy.unrelated_pairs(&related, run, start, found);
+                run.give_back(bytes);
+                parts
+            }
+        };
         let mut intersections = Intersections::default();
         let mut tested = 0;
         // Parts are copied into one list each, and only then freed.
@@ -150,8 +165,9 @@ const LINE_BYTES: usize = size_of::<IntersectionLine>() + 2 * size_of::<[u32; 2]
 /// View boxes of all triangles of a mesh, in a hierarchy.
 pub fn triangle_hierarchy(mesh: &Mesh, coordinates: &ViewCoordinates) -> Hierarchy {
     let triangles = mesh.triangles();
-    let place = |i: usize| coordinates.place(triangles[i][0]);
-    Hierarchy::of(triangles.len(), place, |i| coordinates.bounds(triangles[i]))
+    let boxes = coordinates.vertex_boxes();
+    let place = |i: usize| boxes.place(triangles[i][0]);
+    Hierarchy::of(triangles.len(), place, |i| boxes.around(triangles[i]))
 }
 
 /// The signs of the corners of `triangle` against the plane of `against`:
@@ -272,16 +288,7 @@ impl<'p, P: Policy> Search<'p, P> {
         }
         let triangles = self.mesh.triangles();
         let (s, t) = (triangles[pair[0] as usize], triangles[pair[1] as usize]);
-        let mut shared = 0;
-        for corner in s {
-            if t.contains(&corner) {
-                // The triangles of a fan meet in what they share.
-                if self.known.fans.is_some_and(|fans| fans.is_fan(corner)) {
-                    return;
-                }
-                shared += 1;
-            }
-        }
+        let shared = s.iter().filter(|corner| t.contains(corner)).count();
         if shared >= 2 {
             return self.add_fold(s, t);
         }

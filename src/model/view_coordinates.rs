@@ -14,6 +14,40 @@ use glam::{DVec2, DVec3, Vec3A};
 /// frame's origin: ten roundings, and the frame's own, with room to spare.
 const RELATIVE_ERROR: f64 = 64.0 * f64::EPSILON;
 
+/// Boxes around vertices, made once for all.
+#[derive(Debug, Clone)]
+pub struct VertexBoxes<'c> {
+    coordinates: &'c ViewCoordinates,
+    /// Empty for vertices that may lie on or behind the plane of the eye.
+    boxes: Vec<Bounds>,
+}
+
+impl VertexBoxes<'_> {
+    /// A box like that of [`ViewCoordinates::bounds`].
+    #[inline]
+    pub fn around<const N: usize>(&self, vertices: [u32; N]) -> Bounds {
+        let mut around = Bounds::EMPTY;
+        for vertex in vertices {
+            let own = &self.boxes[vertex as usize];
+            if own.is_empty() {
+                return self.coordinates.bounds_across_eye(&vertices);
+            }
+            around = around.union(own);
+        }
+        around
+    }
+
+    /// About where a vertex lies, as [`ViewCoordinates::place`].
+    #[inline]
+    pub fn place(&self, vertex: u32) -> Vec3A {
+        let own = &self.boxes[vertex as usize];
+        match own.is_empty() {
+            true => self.coordinates.place(vertex),
+            false => own.low * 0.5 + own.high * 0.5,
+        }
+    }
+}
+
 /// View coordinates of all vertices of a scene.
 #[derive(Debug, Clone)]
 pub struct ViewCoordinates {
@@ -196,6 +230,16 @@ impl ViewCoordinates {
             high = high.max(own.1);
         }
         self.rounding.around(low, high)
+    }
+
+    /// The boxes of all vertices, for many questions. O(n).
+    pub fn vertex_boxes(&self) -> VertexBoxes<'_> {
+        let mut boxes = vec![Bounds::EMPTY; self.points.len()];
+        fill_indexed(&mut boxes, |vertex| {
+            let interval = self.interval(vertex as u32);
+            interval.map_or(Bounds::EMPTY, |(low, high)| self.rounding.around(low, high))
+        });
+        VertexBoxes { coordinates: self, boxes }
     }
 
     /// The box of something that reaches the plane of the eye: its image

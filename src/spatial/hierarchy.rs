@@ -9,9 +9,9 @@
 //! distribution of sizes. Everything is O(n log n) at worst to build and
 //! expected O(log n + answers) to ask.
 
-use super::Bounds;
 use super::group::{Group, SIZE, places};
-use crate::run::{Run, map_indexed, map_small};
+use super::{Bounds, Related};
+use crate::run::{Run, concat_map, map_chunks, map_indexed, map_small};
 use glam::Vec3A;
 use std::cell::Cell;
 
@@ -63,6 +63,11 @@ impl Hierarchy {
             levels.push(grouped(below.len(), |i| below[i].around()));
         }
         Hierarchy { items, levels }
+    }
+
+    /// The items in the order of the lowest groups.
+    pub(super) fn items(&self) -> &[u32] {
+        &self.items
     }
 
     /// The places of a group that are taken.
@@ -160,6 +165,29 @@ impl Hierarchy {
         start: impl Fn() -> T + Sync + Send,
         found: impl Fn(&mut T, u32, u32) + Sync + Send,
     ) -> Vec<T> {
+        self.pairs(|_, _| 0, run, start, found)
+    }
+
+    /// The same without related pairs.
+    pub fn unrelated_pairs<T: Send>(
+        &self,
+        related: &Related,
+        run: &Run<'_>,
+        start: impl Fn() -> T + Sync + Send,
+        found: impl Fn(&mut T, u32, u32) + Sync + Send,
+    ) -> Vec<T> {
+        self.pairs(|place, group| related.to(place, group), run, start, found)
+    }
+
+    /// Pairs but those of an item, given by its place, and items of one of the
+    /// lowest groups that are to be spared.
+    fn pairs<T: Send>(
+        &self,
+        spared: impl Fn(usize, usize) -> u8 + Sync + Send,
+        run: &Run<'_>,
+        start: impl Fn() -> T + Sync + Send,
+        found: impl Fn(&mut T, u32, u32) + Sync + Send,
+    ) -> Vec<T> {
         // A level with enough groups to deal them out: one result per group,
         // which meets itself and all later groups. Few items are not worth
         // waking threads for.
@@ -172,13 +200,13 @@ impl Hierarchy {
             if run.is_stopped() {
                 return result;
             }
-            self.pairs_within(level, group, run, &mut |a, b| found(&mut result, a, b));
+            self.pairs_within(level, group, run, &spared, &mut |a, b| found(&mut result, a, b));
             if level < top {
                 let own = self.levels[level + 1][group / SIZE].get(group % SIZE);
                 self.later_groups(top, 0, level, group, &own, &mut |other, bounds| {
                     let pair = [(group, &own), (other, bounds)];
                     let mut found = |a, b| found(&mut result, a, b);
-                    self.pairs_between(level, pair, run, &mut found);
+                    self.pairs_between(level, pair, run, &spared, &mut found);
                     run.advance(0);
                 });
             }
@@ -222,23 +250,25 @@ impl Hierarchy {
         level: usize,
         group: usize,
         run: &Run<'_>,
+        spared: &impl Fn(usize, usize) -> u8,
         found: &mut impl FnMut(u32, u32),
     ) {
         let boxes = &self.levels[level][group];
         let first = group * SIZE;
         for a in places(self.taken(level, group)) {
             if level > 0 {
-                self.pairs_within(level - 1, first + a, run, found);
+                self.pairs_within(level - 1, first + a, run, spared, found);
             }
             let own = boxes.get(a);
             let later = u8::MAX.checked_shl(a as u32 + 1).unwrap_or(0);
-            for b in places(boxes.overlapping(&own) & later) {
-                if level == 0 {
-                    found(self.items[first + a], self.items[first + b]);
-                } else {
-                    let pair = [(first + a, &own), (first + b, &boxes.get(b))];
-                    self.pairs_between(level - 1, pair, run, found);
-                }
+            let chosen = boxes.overlapping(&own) & later;
+            if level == 0 {
+                self.pairs_of(first + a, group, chosen, spared, found);
+                continue;
+            }
+            for b in places(chosen) {
+                let pair = [(first + a, &own), (first + b, &boxes.get(b))];
+                self.pairs_between(level - 1, pair, run, spared, found);
             }
         }
     }
@@ -249,6 +279,7 @@ impl Hierarchy {
         level: usize,
         [(a, around_a), (b, around_b)]: [(usize, &Bounds); 2],
         run: &Run<'_>,
+        spared: &impl Fn(usize, usize) -> u8,
         found: &mut impl FnMut(u32, u32),
     ) {
         // Below two groups of the level of items there are 64 pairs, below
@@ -264,15 +295,33 @@ impl Hierarchy {
         }
         for x in places(boxes_a.overlapping(around_b)) {
             let own = boxes_a.get(x);
-            for y in places(boxes_b.overlapping(&own) & reaching) {
-                let (x, place) = (a * SIZE + x, b * SIZE + y);
-                if level == 0 {
-                    found(self.items[x], self.items[place]);
-                } else {
-                    let pair = [(x, &own), (place, &boxes_b.get(y))];
-                    self.pairs_between(level - 1, pair, run, found);
-                }
+            let chosen = boxes_b.overlapping(&own) & reaching;
+            if level == 0 {
+                self.pairs_of(a * SIZE + x, b, chosen, spared, found);
+                continue;
             }
+            for y in places(chosen) {
+                let pair = [(a * SIZE + x, &own), (b * SIZE + y, &boxes_b.get(y))];
+                self.pairs_between(level - 1, pair, run, spared, found);
+            }
+        }
+    }
+
+    /// The pairs of an item and the chosen ones of one of the lowest groups.
+    #[inline(always)]
+    fn pairs_of(
+        &self,
+        place: usize,
+        group: usize,
+        chosen: u8,
+        spared: &impl Fn(usize, usize) -> u8,
+        found: &mut impl FnMut(u32, u32),
+    ) {
+        if chosen == 0 {
+            return;
+        }
+        for other in places(chosen & !spared(place, group)) {
+            found(self.items[place], self.items[group * SIZE + other]);
         }
     }
 }
@@ -286,26 +335,60 @@ fn grouped(count: usize, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Vec<
 }
 
 /// The items sorted by the cells of a space-filling curve. There are at most
-/// as many cells as items, so sorting is counting; within a cell items keep
-/// their order.
+/// as many cells as items, so sorting is counting: first by the upper half of
+/// a cell's bits, in parts of the items, and then by the lower half, in ranges
+/// of cells. Within a cell items keep their order.
 fn along_curve(count: usize, place: impl Fn(usize) -> Vec3A + Sync + Send) -> Vec<u32> {
+    /// Items of one part.
+    const PART: usize = 1 << 16;
     let axis_bits = (count.max(1).ilog2() / 3).clamp(1, 8);
     let shift = 63 - 3 * axis_bits;
     let cells = map_small(count, |i| (morton_code(place(i)) >> shift) as u32);
-    let mut next = vec![0_u32; (1 << (3 * axis_bits)) + 1];
-    cells.iter().for_each(|&cell| next[cell as usize + 1] += 1);
+    if count <= PART {
+        let keys = cells.iter().map(|&cell| cell as usize);
+        return sorted_by_counting(keys, 0.., 1 << (3 * axis_bits)).0;
+    }
+    let lower = 3 * axis_bits / 2;
+    let ranges = 1 << (3 * axis_bits - lower);
+    let parts = map_chunks(count, PART, |part| {
+        let cells = &cells[part.clone()];
+        let keys = cells.iter().map(|&cell| (cell >> lower) as usize);
+        let pairs = (part.start as u32..).zip(cells.iter().copied());
+        sorted_by_counting(keys, pairs, ranges)
+    });
+    let sorted = map_indexed(ranges, |range| {
+        let items = || {
+            parts.iter().flat_map(|(pairs, ends)| {
+                let start = if range == 0 { 0 } else { ends[range - 1] as usize };
+                pairs[start..ends[range] as usize].iter().copied()
+            })
+        };
+        let key = |(_, cell): (u32, u32)| (cell & ((1 << lower) - 1)) as usize;
+        sorted_by_counting(items().map(key), items().map(|(item, _)| item), 1 << lower).0
+    });
+    let lists: Vec<&[u32]> = sorted.iter().map(|list| &list[..]).collect();
+    concat_map(&lists, |_, item| *item)
+}
+
+/// Items sorted by their keys below `most`, and where those of each key end.
+fn sorted_by_counting<T: Copy + Default>(
+    keys: impl Iterator<Item = usize> + Clone,
+    items: impl Iterator<Item = T>,
+    most: usize,
+) -> (Vec<T>, Vec<u32>) {
+    let mut ends = vec![0_u32; most];
+    keys.clone().for_each(|key| ends[key] += 1);
     let mut sum = 0;
-    for start in &mut next {
-        sum += *start;
-        *start = sum;
+    for end in &mut ends {
+        // For now, where they begin.
+        sum += std::mem::replace(end, sum);
     }
-    let mut items = vec![0; sum as usize];
-    for (item, &cell) in cells.iter().enumerate() {
-        let slot = &mut next[cell as usize];
-        items[*slot as usize] = item as u32;
-        *slot += 1;
+    let mut sorted = vec![T::default(); sum as usize];
+    for (key, item) in keys.zip(items) {
+        sorted[ends[key] as usize] = item;
+        ends[key] += 1;
     }
-    items
+    (sorted, ends)
 }
 
 /// Spreads the lower 21 bits of `x` to every third bit.

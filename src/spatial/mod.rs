@@ -8,6 +8,7 @@ mod group;
 mod hierarchy;
 mod occlusion;
 mod probe;
+mod related;
 
 pub use bounds::{Bounds, Rounding};
 pub use crossings::{Crossings, Nearby};
@@ -15,3 +16,4 @@ pub use group::Group;
 pub use hierarchy::Hierarchy;
 pub use occlusion::{Grid, OcclusionMap, Placed, cover};
 pub use probe::SegmentProbe;
+pub use related::Related;
