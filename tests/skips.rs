@@ -29,6 +29,7 @@ fn combinations() -> Vec<Skips> {
 #[derive(Debug, Default)]
 struct LeftOut {
     covered: u64,
+    objects: u64,
     at_back: u64,
 }
 
@@ -55,6 +56,7 @@ fn answers(mesh: &Mesh, camera: &Camera) -> (Vec<ExactLines>, LeftOut) {
         let options = AppelOptions { skips, ..AppelOptions::default() };
         let answer = appel::<Exact>(question, &options, &run).unwrap();
         left_out.covered += run.counters().get("lines-covered");
+        left_out.objects += run.counters().get("objects-covered");
         left_out.at_back += run.counters().get("lines-at-back");
         answer
     };
@@ -176,6 +178,7 @@ fn what_lies_behind_a_triangle_is_culled_and_what_lies_before_it_is_not() {
         assert!(all_same(&answers));
         // Two of the combinations cull so few lines; diagonals are lines too.
         assert_eq!(left_out.covered, 2 * if culled > 0 { culled + 1 } else { 0 }, "{height}");
+        assert_eq!(left_out.objects, if culled > 0 { 2 } else { 0 }, "{height}");
     }
 }
 

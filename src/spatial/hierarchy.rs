@@ -334,20 +334,18 @@ fn grouped(count: usize, bounds: impl Fn(usize) -> Bounds + Sync + Send) -> Vec<
     })
 }
 
-/// The items sorted by the cells of a space-filling curve. There are at most
-/// as many cells as items, so sorting is counting: first by the upper half of
-/// a cell's bits, in parts of the items, and then by the lower half, in ranges
-/// of cells. Within a cell items keep their order.
+/// The items sorted by the cells of a space-filling curve, so fine that items on
+/// a surface have cells of their own. Sorting is counting: first by the upper
+/// half of a cell's bits, in parts of the items, then by the lower half, in
+/// ranges of cells. Within a cell items keep their order.
 fn along_curve(count: usize, place: impl Fn(usize) -> Vec3A + Sync + Send) -> Vec<u32> {
     /// Items of one part.
     const PART: usize = 1 << 16;
-    let axis_bits = (count.max(1).ilog2() / 3).clamp(1, 8);
+    /// Ranges that one task sorts.
+    const RANGES: usize = 1 << 6;
+    let axis_bits = (count.max(1).ilog2() / 2).clamp(1, 8);
     let shift = 63 - 3 * axis_bits;
     let cells = map_small(count, |i| (morton_code(place(i)) >> shift) as u32);
-    if count <= PART {
-        let keys = cells.iter().map(|&cell| cell as usize);
-        return sorted_by_counting(keys, 0.., 1 << (3 * axis_bits)).0;
-    }
     let lower = 3 * axis_bits / 2;
     let ranges = 1 << (3 * axis_bits - lower);
     let parts = map_chunks(count, PART, |part| {
@@ -356,18 +354,29 @@ fn along_curve(count: usize, place: impl Fn(usize) -> Vec3A + Sync + Send) -> Ve
         let pairs = (part.start as u32..).zip(cells.iter().copied());
         sorted_by_counting(keys, pairs, ranges)
     });
-    let sorted = map_indexed(ranges, |range| {
+    let of_range = |range: usize| {
         let items = || {
             parts.iter().flat_map(|(pairs, ends)| {
                 let start = if range == 0 { 0 } else { ends[range - 1] as usize };
                 pairs[start..ends[range] as usize].iter().copied()
             })
         };
+        if items().next().is_none() {
+            return Vec::new();
+        }
         let key = |(_, cell): (u32, u32)| (cell & ((1 << lower) - 1)) as usize;
         sorted_by_counting(items().map(key), items().map(|(item, _)| item), 1 << lower).0
-    });
-    let lists: Vec<&[u32]> = sorted.iter().map(|list| &list[..]).collect();
-    concat_map(&lists, |_, item| *item)
+    };
+    // Few items are not worth waking threads for.
+    let at_once = if parts.len() > 1 { RANGES } else { ranges };
+    let sorted = map_chunks(ranges, at_once, |part| part.flat_map(of_range).collect::<Vec<_>>());
+    match &sorted[..] {
+        [_] => sorted.concat(),
+        _ => {
+            let lists: Vec<&[u32]> = sorted.iter().map(|list| &list[..]).collect();
+            concat_map(&lists, |_, item| *item)
+        }
+    }
 }
 
 /// Items sorted by their keys below `most`, and where those of each key end.

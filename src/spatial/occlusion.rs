@@ -107,14 +107,18 @@ impl Grid {
         points.iter().map(of).fold(0.0, f64::max) + self.rounding
     }
 
-    /// A box around a triangle.
-    fn around(&self, corners: &[Placed; 3]) -> [DVec3; 2] {
-        let [a, b, c] = corners.map(|corner| corner.at);
-        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        let slack = self.slack(corners);
-        let deepest = corners.iter().map(|corner| corner.depth_slack).fold(0.0, f64::max);
-        let slack = DVec3::new(slack, slack, deepest + ROUNDING * low.z.abs().max(high.z.abs()));
-        [low - slack, high + slack]
+    /// A box around what lies between points; nothing if there is none.
+    fn around(&self, points: impl Iterator<Item = Placed>) -> Option<[DVec3; 2]> {
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (mut slack, mut depth_slack) = (0.0_f64, 0.0_f64);
+        for point in points {
+            (low, high) = (low.min(point.at), high.max(point.at));
+            slack = slack.max(self.slack(&[point]));
+            depth_slack = depth_slack.max(point.depth_slack);
+        }
+        let depth_slack = depth_slack + ROUNDING * low.z.abs().max(high.z.abs());
+        let slack = DVec3::new(slack, slack, depth_slack);
+        (low.is_finite() && high.is_finite()).then_some([low - slack, high + slack])
     }
 
     /// Where a row or column begins.
@@ -180,8 +184,20 @@ impl OcclusionMap {
     /// Whether everything that is in the boxes of both of two triangles is
     /// hidden.
     pub fn hides_common(&self, s: &[Placed; 3], t: &[Placed; 3]) -> bool {
-        let ([low_s, high_s], [low_t, high_t]) = (self.grid.around(s), self.grid.around(t));
-        let (low, high) = (low_s.max(low_t), high_s.min(high_t));
+        match [s, t].map(|corners| self.grid.around(corners.iter().copied())) {
+            [Some([low_s, high_s]), Some([low_t, high_t])] => {
+                self.hides_box(low_s.max(low_t), high_s.min(high_t))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether everything between some points is hidden.
+    pub fn hides_between(&self, points: impl Iterator<Item = Placed>) -> bool {
+        self.grid.around(points).is_some_and(|[low, high]| self.hides_box(low, high))
+    }
+
+    fn hides_box(&self, low: DVec3, high: DVec3) -> bool {
         let columns = self.grid.touching(0, low.x, high.x);
         let (Some(columns), Some(rows)) = (columns, self.grid.touching(1, low.y, high.y)) else {
             return false;
@@ -324,6 +340,13 @@ mod tests {
         (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
     }
 
+    /// Corners of something small.
+    fn body() -> impl Strategy<Value = [DVec3; 3]> {
+        let reach = 0.25;
+        (point(), point(), point())
+            .prop_map(move |(a, b, c)| [a, a.lerp(b, reach), a.lerp(c, reach)])
+    }
+
     fn map_of(triangles: &[[Placed; 3]], side: f64) -> OcclusionMap {
         let grid = Grid::new(DVec2::splat(-1.5), DVec2::splat(1.5), side, 10_000).expect("a grid");
         let bands = [0..grid.rows() / 3, grid.rows() / 3..grid.rows()].map(|rows| {
@@ -351,6 +374,7 @@ mod tests {
         fn what_is_called_hidden_is_hidden(
             triangles in prop::collection::vec((point(), point(), point()), 1..12),
             segments in prop::collection::vec((point(), point()), 20),
+            bodies in prop::collection::vec(body(), 20),
             side in 0.03..0.6_f64,
         ) {
             let triangles: Vec<_> = triangles.into_iter().map(|(a, b, c)| [a, b, c].map(placed)).collect();
@@ -361,6 +385,12 @@ mod tests {
                 }
                 for step in 0..=64 {
                     let point = a.lerp(b, f64::from(step) / 64.0);
+                    prop_assert!(triangles.iter().any(|one| hides(one, point)), "{point}");
+                }
+            }
+            for [a, b, c] in bodies.into_iter().filter(|body| map.hides_between(body.map(placed).into_iter())) {
+                for (i, j) in (0..=8).flat_map(|i| (0..=8 - i).map(move |j| (i, j))) {
+                    let point = a + (b - a) * f64::from(i) / 8.0 + (c - a) * f64::from(j) / 8.0;
                     prop_assert!(triangles.iter().any(|one| hides(one, point)), "{point}");
                 }
             }
@@ -382,6 +412,11 @@ mod tests {
         let small = |z: f64| [corner(-0.1, -1.3, z), corner(0.1, -1.3, z), corner(0.0, -1.1, z)];
         assert!(map.hides_common(&small(5.0), &small(4.0)));
         assert!(!map.hides_common(&small(-0.5), &small(-0.6)));
+        let all = |z: f64| small(z).into_iter().chain(ends(4.0));
+        assert!(map.hides_between(all(5.0)));
+        assert!(!map.hides_between(all(0.5)), "partly in front");
+        assert!(!map.hides_between(all(5.0).chain([corner(9.0, 0.0, 5.0)])), "beyond the grid");
+        assert!(!map.hides_between(std::iter::empty()));
     }
 
     #[test]

@@ -12,7 +12,7 @@
 //! normals are not read, because the corners say all that is true.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read as _, Seek, SeekFrom};
+use std::io::{self, Read as _, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
 
@@ -110,28 +110,28 @@ impl Facets<'_> {
 
     /// Decodes some of them.
     fn decoded(&self, part: Range<usize>) -> io::Result<Part> {
+        let mut decoded = Part::for_facets(part.len());
         let [from, to] = [part.start, part.end].map(|facet| facet * FACET);
         match *self {
-            Facets::InMemory(bytes) => {
-                decode_part(bytes[from..to].as_chunks().0.iter().copied().map(Ok), part)
-            }
+            Facets::InMemory(bytes) => decoded.add(bytes[from..to].as_chunks().0, part.start),
             Facets::InFile { path, .. } => {
                 let mut file = File::open(path)?;
                 file.seek(SeekFrom::Start((HEADER + from) as u64))?;
-                let mut file = BufReader::with_capacity(BUFFER, file);
-                let facet = |_| {
-                    let mut facet = [0; FACET];
-                    file.read_exact(&mut facet).map(|()| facet)
-                };
-                decode_part(part.clone().map(facet), part)
+                let mut buffer = [[0; FACET]; AT_ONCE];
+                for first in part.clone().step_by(AT_ONCE) {
+                    let facets = &mut buffer[..AT_ONCE.min(part.end - first)];
+                    file.read_exact(facets.as_flattened_mut())?;
+                    decoded.add(facets, first);
+                }
             }
         }
+        Ok(decoded)
     }
 }
 
-/// Bytes that are read from a file at once: so few that they stay in the
+/// Facets that are read from a file at once: so few that they stay in the
 /// cache until they are decoded.
-const BUFFER: usize = 1 << 16;
+const AT_ONCE: usize = 1 << 10;
 
 /// Facets that one task reads and decodes.
 const PART: usize = 1 << 15;
@@ -140,9 +140,15 @@ const PART: usize = 1 << 15;
 /// a core, large enough for the facets around a vertex to find it again.
 const SLOTS: usize = 1 << 14;
 
-/// What one task decodes.
+/// An empty slot.
+const EMPTY: u32 = u32::MAX;
+
+/// What one task decodes. Most vertices stand in the file six times, close to
+/// one another: a table of those seen lately keeps most copies from being made.
+/// What it misses is welded with everything else later.
 #[derive(Default)]
 struct Part {
+    seen: Vec<u32>,
     vertices: Vec<DVec3>,
     /// Number of the corner in the file from which each vertex was taken.
     numbers: Vec<u32>,
@@ -176,37 +182,38 @@ fn soup_of(facets: &Facets<'_>, run: &Run<'_>) -> io::Result<Read<Soup>> {
     Ok(Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() }))
 }
 
-/// Decodes some facets, given what they are in the file. Most vertices stand in
-/// it six times, close to one another: a table of those seen lately keeps most
-/// copies from being made. What it misses is welded with everything else later.
-fn decode_part(
-    facets: impl Iterator<Item = io::Result<[u8; FACET]>>,
-    numbers: Range<usize>,
-) -> io::Result<Part> {
-    const EMPTY: u32 = u32::MAX;
-    let mut seen = vec![EMPTY; SLOTS];
-    let mut part = Part::default();
-    part.corners.reserve(3 * numbers.len());
-    // As many as a closed surface has, and some for the part's border.
-    part.vertices.reserve(numbers.len() * 5 / 8);
-    part.numbers.reserve(numbers.len() * 5 / 8);
-    for (facet, bytes) in numbers.zip(facets) {
-        let triangle = decode(&bytes?);
-        if part.wrong.is_none() && !triangle.iter().all(|corner| corner.is_finite()) {
-            part.wrong = Some(not_finite(facet, &triangle));
-        }
-        for (i, &corner) in triangle.iter().enumerate() {
-            let slot = &mut seen[slot_of(corner)];
-            let known = part.vertices.get(*slot as usize).is_some_and(|&vertex| vertex == corner);
-            if !known {
-                *slot = part.vertices.len() as u32;
-                part.vertices.push(corner);
-                part.numbers.push((3 * facet + i) as u32);
-            }
-            part.corners.push(*slot);
+impl Part {
+    fn for_facets(count: usize) -> Self {
+        // As many vertices as a closed surface has, and some for the border.
+        let vertices = count * 5 / 8;
+        Part {
+            seen: vec![EMPTY; SLOTS],
+            vertices: Vec::with_capacity(vertices),
+            numbers: Vec::with_capacity(vertices),
+            corners: Vec::with_capacity(3 * count),
+            wrong: None,
         }
     }
-    Ok(part)
+
+    /// Decodes facets, of which the first has the number `first`.
+    fn add(&mut self, facets: &[[u8; FACET]], first: usize) {
+        for (facet, bytes) in (first..).zip(facets) {
+            let triangle = decode(bytes);
+            if self.wrong.is_none() && !triangle.iter().all(|corner| corner.is_finite()) {
+                self.wrong = Some(not_finite(facet, &triangle));
+            }
+            for (i, &corner) in triangle.iter().enumerate() {
+                let slot = &mut self.seen[slot_of(corner)];
+                let known = self.vertices.get(*slot as usize);
+                if known != Some(&corner) {
+                    *slot = self.vertices.len() as u32;
+                    self.vertices.push(corner);
+                    self.numbers.push((3 * facet + i) as u32);
+                }
+                self.corners.push(*slot);
+            }
+        }
+    }
 }
 
 /// The slot of a position. Equal positions have equal bits after adding 0.

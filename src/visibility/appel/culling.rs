@@ -3,8 +3,9 @@
 //! Where only visible pieces are wanted and many layers lie behind one
 //! another, most lines lie wholly behind some layer that is near the eye. An
 //! occlusion map of all triangles knows many of them from two numbers for
-//! each tile that a line may touch; the others are walked as ever. What is
-//! left out has no visible piece, so the answer is the same.
+//! each tile that a line may touch; the others are walked as ever. An object
+//! that lies wholly behind covered tiles hands in all its lines at once. What
+//! is left out has no visible piece, so the answer is the same.
 //!
 //! The map costs time and pays where triangles cover one another often, so
 //! it is made where a sample of them says so.
@@ -37,16 +38,25 @@ const LEAST_LAYERS: f64 = 6.0;
 /// it is covered.
 const SAMPLE: usize = 4096;
 
-/// The map of the question's triangles, if one is to be made.
+/// What is certainly covered: tiles of the image, and whole objects.
+pub(super) struct Covered {
+    map: OcclusionMap,
+    /// Whether each object lies wholly behind covered tiles.
+    objects: Vec<bool>,
+    /// Whether one of them does.
+    some_object: bool,
+}
+
+/// What the question's triangles cover, if that is worth finding.
 ///
 /// # Errors
 ///
 /// If the run is stopped.
-pub(super) fn occlusion_map(
+pub(super) fn covered(
     question: &LineQuestion<'_>,
     culling: Culling,
     run: &Run<'_>,
-) -> Result<Option<OcclusionMap>, Cancelled> {
+) -> Result<Option<Covered>, Cancelled> {
     match grid_for(question, culling) {
         Some(grid) => {
             let rows = question.mesh.triangles().len() * size_of::<Range<u16>>();
@@ -54,7 +64,9 @@ pub(super) fn occlusion_map(
             let map = map_of(question, grid, run);
             run.give_back(rows as u64);
             run.check()?;
-            Ok(Some(map))
+            let covered = Covered::of(map, question);
+            run.count("objects-covered", covered.objects.iter().filter(|&&it| it).count() as u64);
+            Ok(Some(covered))
         }
         None => Ok(None),
     }
@@ -202,32 +214,65 @@ fn image_box(points: impl Iterator<Item = Option<Placed>>) -> Option<[DVec2; 2]>
     Some([low - SLACKS * slack, high + SLACKS * slack])
 }
 
-/// Whether a line is hidden all along.
-pub(super) fn hides(map: &OcclusionMap, question: &LineQuestion<'_>, line: &FeatureLine) -> bool {
-    let placed = |vertex| question.coordinates.placed(vertex);
-    let segment = |[a, b]: [u32; 2]| match (placed(a), placed(b)) {
-        (Some(a), Some(b)) => map.hides_segment([a, b]),
-        _ => false,
-    };
-    match line.origin {
-        LineOrigin::Edge(edge) => segment(question.mesh.edges().ends(edge)),
-        LineOrigin::Loose(index) => segment(question.mesh.loose_lines()[index as usize]),
-        LineOrigin::Intersection(index) => {
-            let triangles = question.intersections[index as usize].triangles;
-            hides_common(map, question, triangles)
+impl Covered {
+    /// Looks which objects lie behind a map: all their vertices, and so all
+    /// that is between them.
+    fn of(map: OcclusionMap, question: &LineQuestion<'_>) -> Self {
+        let objects = question.mesh.objects();
+        let is_covered = |number: usize| {
+            let placed = |vertex| question.coordinates.placed(vertex);
+            let vertices = || objects[number].vertices.clone();
+            // The first vertex spares most objects a look at the others.
+            let first = vertices().next().and_then(placed);
+            first.is_some_and(|first| map.hides_segment([first, first]))
+                && vertices().all(|vertex| placed(vertex).is_some())
+                && map.hides_between(vertices().filter_map(placed))
+        };
+        let objects = map_indexed(objects.len(), is_covered);
+        let some_object = objects.contains(&true);
+        Covered { map, objects, some_object }
+    }
+
+    /// Whether a line is hidden all along.
+    pub(super) fn hides(&self, question: &LineQuestion<'_>, line: &FeatureLine) -> bool {
+        match line.origin {
+            LineOrigin::Edge(edge) => {
+                self.hides_segment(question, question.mesh.edges().ends(edge))
+            }
+            LineOrigin::Loose(index) => {
+                self.hides_segment(question, question.mesh.loose_lines()[index as usize])
+            }
+            LineOrigin::Intersection(index) => {
+                self.hides_common(question, question.intersections[index as usize].triangles)
+            }
         }
     }
-}
 
-/// Whether all that two triangles have in common is hidden.
-fn hides_common(map: &OcclusionMap, question: &LineQuestion<'_>, triangles: [u32; 2]) -> bool {
-    let triangle = |number: u32| {
-        let [a, b, c] = question.mesh.triangles()[number as usize];
-        let placed = |vertex| question.coordinates.placed(vertex);
-        Some([placed(a)?, placed(b)?, placed(c)?])
-    };
-    let (Some(s), Some(t)) = (triangle(triangles[0]), triangle(triangles[1])) else {
-        return false;
-    };
-    map.hides_common(&s, &t)
+    fn hides_segment(&self, question: &LineQuestion<'_>, ends: [u32; 2]) -> bool {
+        if self.some_object && self.objects[question.mesh.object_of_vertex(ends[0]) as usize] {
+            return true;
+        }
+        match ends.map(|vertex| question.coordinates.placed(vertex)) {
+            [Some(a), Some(b)] => self.map.hides_segment([a, b]),
+            _ => false,
+        }
+    }
+
+    /// Whether all that two triangles have in common is hidden.
+    fn hides_common(&self, question: &LineQuestion<'_>, triangles: [u32; 2]) -> bool {
+        let of_covered =
+            |&triangle: &u32| self.objects[question.mesh.object_of_triangle(triangle) as usize];
+        if self.some_object && triangles.iter().any(of_covered) {
+            return true;
+        }
+        let placed = |number: u32| {
+            let [a, b, c] = question.mesh.triangles()[number as usize]
+                .map(|vertex| question.coordinates.placed(vertex));
+            Some([a?, b?, c?])
+        };
+        match triangles.map(placed) {
+            [Some(s), Some(t)] => self.map.hides_common(&s, &t),
+            _ => false,
+        }
+    }
 }

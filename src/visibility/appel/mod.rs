@@ -121,7 +121,7 @@ pub fn appel<P: Policy>(
         let effective = question.effective_crossings();
         // A mistake shall show.
         let culling = if options.fault.is_some() { Culling::Never } else { options.skips.culling };
-        let covered = culling::occlusion_map(question, culling, run)?;
+        let covered = culling::covered(question, culling, run)?;
         let walker =
             || Walker::<P>::new(question, &effective, &triangles, covered.as_ref(), options);
         match question.contacts.filter(|_| options.skips.carry && question.piercings.is_some()) {

@@ -1,13 +1,14 @@
 //! One worker: walks line after line and reuses its memory.
 
 use super::count::FromVertex;
+use super::culling::Covered;
 use super::events::Event;
 use super::{AppelOptions, Fault, culling};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Crossings, Hierarchy, Nearby, OcclusionMap, SegmentProbe};
+use crate::spatial::{Bounds, Crossings, Hierarchy, Nearby, SegmentProbe};
 use crate::view::{ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
@@ -72,7 +73,7 @@ pub(super) struct Walker<'q, P: Policy> {
     /// View boxes of the triangles that may matter.
     pub(super) triangles: &'q Hierarchy,
     /// What is certainly covered, where that was worth finding.
-    covered: Option<&'q OcclusionMap>,
+    covered: Option<&'q Covered>,
     /// Whether lines are left as soon as they are known to be hidden.
     pub(super) leaves_early: bool,
     /// The effective edges that matter now.
@@ -103,7 +104,7 @@ impl<'q, P: Policy> Walker<'q, P> {
         question: &'q LineQuestion<'q>,
         effective: &'q Crossings,
         triangles: &'q Hierarchy,
-        covered: Option<&'q OcclusionMap>,
+        covered: Option<&'q Covered>,
         options: &AppelOptions,
     ) -> Self {
         Walker {
@@ -170,7 +171,7 @@ impl<'q, P: Policy> Walker<'q, P> {
             self.lines_at_back += 1;
             return true;
         }
-        let covered = self.covered.is_some_and(|map| culling::hides(map, self.question, line));
+        let covered = self.covered.is_some_and(|covered| covered.hides(self.question, line));
         self.lines_covered += u64::from(covered);
         covered
     }
