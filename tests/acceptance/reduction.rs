@@ -6,8 +6,8 @@
 //! that all lines hide has the fewest sheets of any of them, no two pieces
 //! overlap, and of equally visible lines of one class the nearest is drawn.
 
-use super::scenes::{Kind, Random, distance, random_camera, random_soups, rounds};
-use glam::DVec2;
+use super::scenes::{Kind, Random, distance, polygons, random_camera, random_soups, rounds};
+use glam::{DVec2, DVec3};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{FeatureOptions, LineClass, Mesh};
 use umriss::run::Run;
@@ -157,4 +157,34 @@ fn assert_disjoint(pieces: &[LinePiece], what: &str) {
             assert_eq!(covered, None, "{what}: {point} is drawn twice, once by {piece:?}");
         }
     }
+}
+
+/// Collinear lines of a few units in the last place, one within another: their
+/// rounded ends fall together, and others between them need not.
+#[test]
+fn lines_shorter_than_rounding_are_drawn_where_numbers_are() {
+    let mut random = Random(1973);
+    let mut checked = 0;
+    for _ in 0..rounds(400) {
+        // Sums of these are exact.
+        let base = DVec3::ONE + random.point().abs() / 64.0;
+        let step = (random.grid_point(6) - 3.0) * f64::EPSILON;
+        let mut place = || base + step * random.below(16) as f64;
+        let mut lines: Vec<[DVec3; 2]> = (0..5).map(|_| [place(), place()]).collect();
+        lines.push([DVec3::ZERO, DVec3::splat(3.0)]);
+        let soups = vec![polygons::<Vec<DVec3>>(&[], &lines)];
+        let view = random_camera(&mut random, &soups);
+        let Ok(mesh) = Mesh::new(soups, None) else { continue };
+        let run = Run::default();
+        let prepared = PreparedView::new::<Exact>(&mesh, &view, &FeatureOptions::default(), &run)
+            .expect("a view");
+        let question = prepared.question(true);
+        let answer = appel::<Exact>(&question, &AppelOptions::default(), &run).expect("an answer");
+        for piece in reduced(&question, &answer) {
+            let numbers = piece.points.iter().flat_map(|point| point.to_array()).chain(piece.depth);
+            assert!(numbers.into_iter().all(f64::is_finite), "{piece:?}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 400, "{checked}");
 }

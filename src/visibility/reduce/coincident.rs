@@ -382,8 +382,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         if let Some(end) = (0..2).find(|&end| piece.image[end] == stop.image) {
             return piece.depth[end];
         }
-        let along = piece.image[1] - piece.image[0];
-        let t = ((stop.image - piece.image[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        let t = share_along(piece.image, stop.image);
         let [near, far] = piece.depth;
         if self.perspective {
             // The inverse of the depth is linear in a perspective image.
@@ -392,6 +391,17 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             near + (far - near) * t
         }
     }
+}
+
+/// How much of a segment of the image lies before a point of it, from 0 to 1. A
+/// piece may be so short that its ends are rounded to one place, and the point
+/// to another: then nothing does.
+fn share_along([from, to]: [DVec2; 2], point: DVec2) -> f64 {
+    // In a unit of the segment's own, for squares of tiny lengths vanish.
+    let unit = (to - from).abs().max_element();
+    let (along, offset) = ((to - from) / unit, (point - from) / unit);
+    let share = offset.dot(along) / along.length_squared();
+    if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) }
 }
 
 fn length(piece: &RoundedPiece) -> f64 {
@@ -464,5 +474,21 @@ fn compare_sources(question: &LineQuestion<'_>, x: u32, y: u32) -> Ordering {
             (x, y) => y.is_some().cmp(&x.is_some()),
         },
         (x, y) => x.cmp(&y),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_numbers_however_short_a_segment_is() {
+        let share = |to: DVec2, point: DVec2| share_along([DVec2::ZERO, to], point);
+        assert_eq!(share(DVec2::new(4.0, 0.0), DVec2::new(1.0, 7.0)), 0.25);
+        assert_eq!(share(DVec2::X, DVec2::NEG_X), 0.0);
+        assert_eq!(share(DVec2::X, DVec2::new(9.0, 1.0)), 1.0);
+        assert_eq!(share(DVec2::ZERO, DVec2::ZERO), 0.0);
+        assert_eq!(share(DVec2::ZERO, DVec2::new(1e-17, -1e-17)), 0.0);
+        assert_eq!(share(DVec2::splat(4e-300), DVec2::splat(1e-300)), 0.25);
     }
 }
