@@ -89,39 +89,42 @@ pub fn read_file_within(
 ) -> Result<Imported, ImportError> {
     let name = path.display().to_string();
     let io = |source| ImportError::Io { file: name.clone(), source };
-    let size = path.metadata().map_err(io)?.len();
-    let outcome = match read_in_place(path, format, run).map_err(io)? {
+    let metadata = path.metadata().map_err(io)?;
+    let size = metadata.len();
+    run.take(size)?;
+    // A pipe can be opened once.
+    let in_place = match metadata.is_file() {
+        true => read_in_place(path, size, format, run).map_err(io)?,
+        false => None,
+    };
+    let outcome = match in_place {
         Some(outcome) => outcome,
         None => {
-            run.take(size)?;
             let bytes = std::fs::read(path).map_err(io)?;
             let folder = path.parent().unwrap_or(Path::new(""));
-            let outcome = read(path, &bytes, format, Some(folder), run);
-            run.give_back(size);
-            outcome
+            read(path, &bytes, format, Some(folder), run)
         }
     };
+    run.give_back(size);
     run.check()?;
     let imported = outcome.map_err(|fault| fault.named(&name))?;
     run.take(imported.objects.iter().map(bytes_of).sum())?;
     Ok(imported)
 }
 
-/// Reads a file piece by piece on all cores, if it is of a format for which
-/// that can be done: binary STL.
+/// Reads a file of so many bytes piece by piece on all cores, if it is of a
+/// format for which that can be done: binary STL.
 fn read_in_place(
     path: &Path,
+    length: u64,
     format: Option<Format>,
     run: &Run<'_>,
 ) -> io::Result<Option<Read<Imported>>> {
-    let mut file = File::open(path)?;
-    let metadata = file.metadata()?;
-    let length = metadata.len();
-    if !metadata.is_file() || length < stl::HEADER as u64 {
+    if length < stl::HEADER as u64 {
         return Ok(None);
     }
     let mut head = [0; stl::HEADER];
-    file.read_exact(&mut head)?;
+    File::open(path)?.read_exact(&mut head)?;
     let is_binary_stl = match format {
         Some(Format::Stl) => stl::is_binary(&head, length),
         Some(_) => false,
