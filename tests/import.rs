@@ -155,6 +155,44 @@ mod stl {
         }
     }
 
+    /// A file is read by several tasks at once, bytes by one after the other.
+    #[test]
+    fn files_are_read_as_their_bytes_are() {
+        let count = 100_000_u32;
+        let mut bytes = vec![b' '; 80];
+        bytes.extend(count.to_le_bytes());
+        for facet in 0..count {
+            bytes.extend([0; 12]);
+            for corner in [facet, facet + 1, 3 * facet] {
+                let place = [corner as f32, -0.0, (corner % 7) as f32];
+                place.iter().for_each(|x| bytes.extend(x.to_le_bytes()));
+            }
+            bytes.extend([0; 2]);
+        }
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("a.stl");
+        let both = |bytes: &[u8]| {
+            std::fs::write(&file, bytes).expect("a file");
+            [read_file(&file, None), read_bytes(&file.display().to_string(), bytes, None)]
+                .map(|read| read.map_err(|error| error.to_string()))
+        };
+        let [file, bytes_alone] = both(&bytes);
+        assert_eq!(file, bytes_alone);
+        assert_eq!(file.map(|read| read.objects[0].faces.len()), Ok(count as usize));
+        // In the third task, behind another one in the fourth.
+        for facet in [99_000, 70_001] {
+            bytes[84 + 50 * facet + 28..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
+            let [file, bytes_alone] = both(&bytes);
+            assert_eq!(file, bytes_alone);
+            let text = file.expect_err("not a number");
+            assert!(text.contains(&format!("byte {}", 84 + 50 * facet + 28)), "{text}");
+        }
+        for bytes in [&bytes[..bytes.len() - 1], &[&bytes[..], b"xy"].concat()] {
+            let [file, bytes_alone] = both(bytes);
+            assert_eq!(file, bytes_alone);
+        }
+    }
+
     #[test]
     fn few_bytes_after_the_last_facet_warn() {
         let mut bytes = binary(b"x", &[[0.; 9]]);

@@ -10,6 +10,9 @@
 #![cfg(feature = "json")]
 #![allow(clippy::print_stdout)]
 
+mod cameras;
+
+use cameras::{camera_files, read_camera};
 use glam::DVec3;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -75,7 +78,7 @@ fn check_folder(folder: &Path, largest: usize) -> Outcome<usize> {
             continue;
         }
         scene.mesh.sanity_check()?;
-        for (name, camera) in cameras(folder, file, &scene.mesh)? {
+        for (name, camera) in cameras(file, &scene.mesh)? {
             let view = camera.view(scene.mesh.bounds())?;
             let run = Run::default();
             let options = FeatureOptions::default();
@@ -140,18 +143,14 @@ fn faults_of_painting(
 }
 
 /// All cameras of a model, with their names.
-fn cameras(folder: &Path, file: &Path, mesh: &Mesh) -> Outcome<Vec<(String, Camera)>> {
+fn cameras(file: &Path, mesh: &Mesh) -> Outcome<Vec<(String, Camera)>> {
     let mut cameras = Vec::new();
     for name in VIEWS {
         let view = StandardView::from_name(name).ok_or("no such view")?;
         cameras.push((name.to_owned(), Camera::Standard(view)));
     }
-    let stem = file.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    for name in ["front", "gen", "iso", "near", "persp", "top"] {
-        let path = folder.join("cameras").join(format!("{stem}_{name}.json"));
-        if path.exists() {
-            cameras.push((format!("camera {name}"), read_camera(&path)?));
-        }
+    for (name, path) in camera_files(file) {
+        cameras.push((format!("camera {name}"), read_camera(&path)?));
     }
     if let Some(eye) = eye_in_a_face_plane(mesh) {
         let target = (mesh.bounds().0 + mesh.bounds().1) * 0.5;
@@ -161,21 +160,6 @@ fn cameras(folder: &Path, file: &Path, mesh: &Mesh) -> Outcome<Vec<(String, Came
         cameras.push(("eye in a face".to_owned(), camera));
     }
     Ok(cameras)
-}
-
-fn read_camera(path: &Path) -> Outcome<Camera> {
-    let value: serde_json::Value = serde_json::from_slice(&std::fs::read(path)?)?;
-    let vector = |key: &str| {
-        let number = |i: usize| value[key][i].as_f64().ok_or("a camera without a number");
-        Ok::<_, &str>(DVec3::new(number(0)?, number(1)?, number(2)?))
-    };
-    let (eye, target, up) = (vector("eye")?, vector("target")?, vector("up")?);
-    Ok(if value["kind"] == "perspective" {
-        let near = None;
-        Camera::Perspective { eye, target: Some(target), up, near, fov_y_degrees: 45.0 }
-    } else {
-        Camera::Orthographic { forward: target - eye, target: Some(target), up }
-    })
 }
 
 /// A point outside of a triangle, exactly in its plane.

@@ -1,10 +1,11 @@
 //! The bytes that are hashed are those that the program writes.
 
+use super::Outcome;
+use super::check::THREADS;
 use super::drawings::{GENERIC, Lines, drawing, eye_of, scene, view_of};
-use super::{Outcome, THREADS};
 use std::path::Path;
 use std::process::Command;
-use umriss::model::Mesh;
+use umriss::model::{Mesh, Scene};
 
 /// The flags that ask for a view.
 fn camera(view: &str, mesh: &Mesh) -> [String; 2] {
@@ -16,9 +17,28 @@ fn camera(view: &str, mesh: &Mesh) -> [String; 2] {
     }
 }
 
+/// What the program draws of a model.
+fn drawn(
+    file: &Path,
+    scene: &Scene,
+    (view, lines, threads): (&str, Lines, usize),
+) -> Outcome<Vec<u8>> {
+    let folder = tempfile::tempdir()?;
+    let output = folder.path().join("drawing.json");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_umriss"));
+    command.arg("draw").arg(file).args(camera(view, &scene.mesh));
+    command.args(["--threads", &threads.to_string(), "-o"]).arg(&output);
+    if lines == Lines::Every {
+        let classes = "contour,boundary,non-manifold,crease,intersection,line,mesh";
+        command.args(["--hidden", "solid", "--edges", classes]);
+    }
+    let said = command.output()?;
+    assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
+    Ok(std::fs::read(&output)?)
+}
+
 #[test]
 fn the_program_writes_what_is_hashed() -> Outcome<()> {
-    let folder = tempfile::tempdir()?;
     let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/models");
     for (model, view, lines) in [
         ("two_cubes_interpenetrating.obj", "iso", Lines::Every),
@@ -30,17 +50,8 @@ fn the_program_writes_what_is_hashed() -> Outcome<()> {
         let scene = scene(&file)?;
         let (_, expected) = drawing(&scene, &view_of(view, &scene.mesh)?, lines)?;
         for threads in THREADS {
-            let output = folder.path().join("drawing.json");
-            let mut command = Command::new(env!("CARGO_BIN_EXE_umriss"));
-            command.arg("draw").arg(&file).args(camera(view, &scene.mesh));
-            command.args(["--threads", &threads.to_string(), "-o"]).arg(&output);
-            if lines == Lines::Every {
-                let classes = "contour,boundary,non-manifold,crease,intersection,line,mesh";
-                command.args(["--hidden", "solid", "--edges", classes]);
-            }
-            let said = command.output()?;
-            assert!(said.status.success(), "{}", String::from_utf8_lossy(&said.stderr));
-            assert!(std::fs::read(&output)? == expected, "{model} {view} {threads} threads");
+            let bytes = drawn(&file, &scene, (view, lines, threads))?;
+            assert!(bytes == expected, "{model} {view} {threads} threads");
         }
     }
     Ok(())
