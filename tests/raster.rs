@@ -15,7 +15,9 @@
 #![cfg(feature = "json")]
 #![allow(clippy::print_stdout)]
 
-use glam::DVec3;
+mod cameras;
+
+use cameras::{camera_files, read_camera};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -71,7 +73,7 @@ fn compare_folder(folder: &Path, extent: &Extent) -> Outcome<()> {
             println!("skipped: {} is large", file.display());
             continue;
         }
-        for (name, camera) in cameras(folder, file)? {
+        for (name, camera) in cameras(file)? {
             for &size in extent.sizes {
                 let what = format!("{} {name} {size}", file.display());
                 compare(&mesh, &camera, size, &what, &mut sums)?;
@@ -161,33 +163,14 @@ fn is_as_near(sampled: &Sampled, images: [&ItemBuffer; 2], (column, row): (u32, 
 }
 
 /// All cameras of a model, with their names.
-fn cameras(folder: &Path, file: &Path) -> Outcome<Vec<(String, Camera)>> {
+fn cameras(file: &Path) -> Outcome<Vec<(String, Camera)>> {
     let mut cameras = Vec::new();
     for name in VIEWS {
         let view = StandardView::from_name(name).ok_or("no such view")?;
         cameras.push((name.to_owned(), Camera::Standard(view)));
     }
-    let stem = file.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    for name in ["front", "gen", "iso", "near", "persp", "top"] {
-        let path = folder.join("cameras").join(format!("{stem}_{name}.json"));
-        if path.exists() {
-            cameras.push((format!("camera {name}"), read_camera(&path)?));
-        }
+    for (name, path) in camera_files(file) {
+        cameras.push((format!("camera {name}"), read_camera(&path)?));
     }
     Ok(cameras)
-}
-
-fn read_camera(path: &Path) -> Outcome<Camera> {
-    let value: serde_json::Value = serde_json::from_slice(&std::fs::read(path)?)?;
-    let vector = |key: &str| {
-        let number = |i: usize| value[key][i].as_f64().ok_or("a camera without a number");
-        Ok::<_, &str>(DVec3::new(number(0)?, number(1)?, number(2)?))
-    };
-    let (eye, target, up) = (vector("eye")?, vector("target")?, vector("up")?);
-    Ok(if value["kind"] == "perspective" {
-        let near = None;
-        Camera::Perspective { eye, target: Some(target), up, near, fov_y_degrees: 45.0 }
-    } else {
-        Camera::Orthographic { forward: target - eye, target: Some(target), up }
-    })
 }
