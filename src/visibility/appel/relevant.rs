@@ -40,9 +40,8 @@ pub(super) fn triangles<'q>(question: &'q LineQuestion<'_>) -> Cow<'q, Hierarchy
     let Some(cells) = Cells::of(question) else {
         return Cow::Borrowed(question.hierarchy());
     };
-    let boxes = question.coordinates.vertex_boxes();
     let mut blocks = vec![Block::default(); question.mesh.vertices().len()];
-    fill_indexed(&mut blocks, |vertex| Block::of(&boxes.around([vertex as u32])));
+    fill_indexed(&mut blocks, |vertex| Block::of(&question.coordinates.bounds([vertex as u32])));
     let parts = map_chunks(triangles.len(), PART, |part| {
         let touching = |&triangle: &usize| {
             let [a, b, c] = triangles[triangle].map(|corner| blocks[corner as usize]);
@@ -50,8 +49,8 @@ pub(super) fn triangles<'q>(question: &'q LineQuestion<'_>) -> Cow<'q, Hierarchy
         };
         part.filter(touching).map(|triangle| triangle as u32).collect::<Vec<_>>()
     });
-    let bounds = |triangle: usize| boxes.around(triangles[triangle]);
-    let place = |triangle: usize| boxes.place(triangles[triangle][0]);
+    let bounds = |triangle: usize| question.coordinates.bounds(triangles[triangle]);
+    let place = |triangle: usize| question.coordinates.place(triangles[triangle][0]);
     Cow::Owned(Hierarchy::of_some(parts.concat(), place, bounds))
 }
 
