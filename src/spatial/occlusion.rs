@@ -107,18 +107,23 @@ impl Grid {
         points.iter().map(of).fold(0.0, f64::max) + self.rounding
     }
 
-    /// A box around what lies between points; nothing if there is none.
+    /// A box around what lies between points; nothing if there is none, or if
+    /// one of them is nowhere.
     fn around(&self, points: impl Iterator<Item = Placed>) -> Option<[DVec3; 2]> {
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (mut slack, mut depth_slack) = (0.0_f64, 0.0_f64);
         for point in points {
+            // A least number of several would pass over what is none.
+            if !point.at.is_finite() {
+                return None;
+            }
             (low, high) = (low.min(point.at), high.max(point.at));
             slack = slack.max(self.slack(&[point]));
             depth_slack = depth_slack.max(point.depth_slack);
         }
         let depth_slack = depth_slack + ROUNDING * low.z.abs().max(high.z.abs());
         let slack = DVec3::new(slack, slack, depth_slack);
-        (low.is_finite() && high.is_finite()).then_some([low - slack, high + slack])
+        low.is_finite().then_some([low - slack, high + slack])
     }
 
     /// Where a row or column begins.
@@ -416,6 +421,7 @@ mod tests {
         assert!(map.hides_between(all(5.0)));
         assert!(!map.hides_between(all(0.5)), "partly in front");
         assert!(!map.hides_between(all(5.0).chain([corner(9.0, 0.0, 5.0)])), "beyond the grid");
+        assert!(!map.hides_between([corner(f64::NAN, -1.2, 5.0)].into_iter().chain(all(5.0))));
         assert!(!map.hides_between(std::iter::empty()));
     }
 
