@@ -21,11 +21,10 @@ use scenes::{apart, torus};
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::model::{Camera, FeatureOptions, Mesh, Soup, import};
 use umriss::run::Run;
-use umriss::view::PreparedView;
-use umriss::visibility::{PaintTree, Painter, PainterOptions, paint_order};
+use umriss::visibility::{Painter, PainterOptions};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -61,19 +60,19 @@ fn measure(name: &str, mesh: &Mesh, first: Option<[f64; 3]>) -> Outcome<[f64; 3]
     let camera = Camera::Orthographic { forward, target: None, up: DVec3::Z };
     let view = camera.view(mesh.bounds())?;
     let options = FeatureOptions::default();
-    let prepared = PreparedView::new::<Exact>(mesh, &view, &options, &Run::default())?;
+    let prepared = exact::prepare(mesh, &view, &options, &Run::default())?;
     let question = prepared.question(false);
     let (mut best, mut cuts, mut more) = ([f64::INFINITY; 3], [0; 3], f64::INFINITY);
     for _ in 0..ROUNDS {
         for (i, painter) in Painter::ALL.into_iter().enumerate() {
             let (run, start) = (Run::default(), Instant::now());
             let options = PainterOptions { painter, ..PainterOptions::default() };
-            cuts[i] = paint_order::<Exact>(&question, &options, &run)?.cuts;
+            cuts[i] = exact::paint_order(&question, &options, &run)?.cuts;
             best[i] = best[i].min(start.elapsed().as_secs_f64());
         }
-        let tree = PaintTree::new::<Exact>(&question, &Run::default())?;
+        let tree = exact::paint_tree(&question, &Run::default())?;
         let start = Instant::now();
-        tree.order::<Exact>(&question, &Run::default())?;
+        exact::paint_order_of_tree(&tree, &question, &Run::default())?;
         more = more.min(start.elapsed().as_secs_f64());
     }
     let count = mesh.triangles().len();

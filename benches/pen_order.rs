@@ -22,14 +22,12 @@ use std::time::Instant;
 use umriss::drawing::{
     Drawing, DrawingOptions, Effort, Hidden, Layer, LayerTags, LineStyle, Paper, Strokes, Styles,
 };
+use umriss::exact;
 use umriss::export::{SvgOptions, to_svg};
-use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, Color, FeatureOptions, Mesh, Soup};
 use umriss::run::{Counters, Run};
-use umriss::view::{
-    Frame, LineClass, LinePiece, LineSource, PreparedView, Projection, VisibleLines,
-};
-use umriss::visibility::{AppelOptions, appel, reduce_with_crossings};
+use umriss::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use umriss::visibility::AppelOptions;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -109,10 +107,10 @@ fn whole() -> Outcome<()> {
     let mut pieces = 0;
     for _ in 0..3 {
         let start = Instant::now();
-        let prepared = PreparedView::new::<Exact>(&mesh, &view, &features, &run)?;
+        let prepared = exact::prepare(&mesh, &view, &features, &run)?;
         let question = prepared.question(true);
-        let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
-        let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, &run)?;
+        let answer = exact::appel(&question, &AppelOptions::default(), &run)?;
+        let (lines, crossings) = exact::reduce_with_crossings(&question, &answer, &run)?;
         best[0] = best[0].min(start.elapsed().as_secs_f64());
         pieces = lines.pieces.len();
         let start = Instant::now();

@@ -16,12 +16,11 @@
 use glam::DVec3;
 use std::error::Error;
 use std::time::Instant;
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup};
-use umriss::raster::{Samples, methods};
+use umriss::raster::Samples;
 use umriss::run::Run;
-use umriss::view::PreparedView;
-use umriss::visibility::{AppelOptions, appel, reduce};
+use umriss::visibility::AppelOptions;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -31,7 +30,7 @@ const ROUNDS: usize = 5;
 fn main() -> Outcome<()> {
     let most = std::env::args().skip(1).find_map(|word| word.parse().ok()).unwrap_or(100);
     let counts: Vec<usize> = [1, 10, 100].into_iter().filter(|&count| count <= most).collect();
-    let mut names: Vec<&str> = methods::<Exact>().iter().map(|(name, _)| *name).collect();
+    let mut names: Vec<&str> = exact::image_methods().iter().map(|(name, _)| *name).collect();
     names.push("appel, all edges");
     let mut columns = Vec::new();
     for &thousands in &counts {
@@ -79,10 +78,10 @@ fn times(mesh: &Mesh) -> Outcome<Vec<Vec<f64>>> {
     let camera = Camera::Orthographic { forward, target: None, up: DVec3::new(0.1, 0.2, 1.0) };
     let view = camera.view(mesh.bounds())?;
     let options = FeatureOptions::default().with_classes(&LineClass::ALL);
-    let prepared = PreparedView::new::<Exact>(mesh, &view, &options, &run)?;
+    let prepared = exact::prepare(mesh, &view, &options, &run)?;
     let question = prepared.question(false);
     let count = mesh.vertices().len() as u32;
-    let methods = methods::<Exact>();
+    let methods = exact::image_methods();
     let mut columns = Vec::new();
     for size in SIZES {
         let samples = Samples::around(&view.frame, question.coordinates, count, size)
@@ -95,8 +94,8 @@ fn times(mesh: &Mesh) -> Outcome<Vec<Vec<f64>>> {
                 times[i].push(start.elapsed().as_secs_f64() * 1e3);
             }
             let start = Instant::now();
-            let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
-            std::hint::black_box(reduce::<Exact>(&question, &answer, &run)?);
+            let answer = exact::appel(&question, &AppelOptions::default(), &run)?;
+            std::hint::black_box(exact::reduce(&question, &answer, &run)?);
             times[methods.len()].push(start.elapsed().as_secs_f64() * 1e3);
         }
         columns.push(times.iter().map(|times| least(times)).collect());

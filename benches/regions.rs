@@ -19,11 +19,10 @@ use scenes::{apart, torus};
 use std::error::Error;
 use std::path::Path;
 use std::time::Instant;
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::model::{Camera, FeatureOptions, Mesh, Soup, import};
 use umriss::run::Run;
-use umriss::view::PreparedView;
-use umriss::visibility::{RegionOptions, visible_regions};
+use umriss::visibility::RegionOptions;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -55,13 +54,13 @@ fn measure(name: &str, mesh: &Mesh, before: Option<f64>) -> Outcome<f64> {
     let camera = Camera::Orthographic { forward, target: None, up: DVec3::Z };
     let view = camera.view(mesh.bounds())?;
     let options = FeatureOptions::default();
-    let prepared = PreparedView::new::<Exact>(mesh, &view, &options, &Run::default())?;
+    let prepared = exact::prepare(mesh, &view, &options, &Run::default())?;
     let question = prepared.question(false);
     let (mut best, mut regions, mut clipped) = (f64::INFINITY, 0, 0);
     for _ in 0..ROUNDS {
         let run = Run::default();
         let start = Instant::now();
-        let found = visible_regions::<Exact>(&question, &RegionOptions::default(), &run)?;
+        let found = exact::visible_regions(&question, &RegionOptions::default(), &run)?;
         best = best.min(start.elapsed().as_secs_f64());
         regions = found.regions().len();
         clipped = run.counters().get("faces-clipped");

@@ -17,12 +17,12 @@
 use glam::{DVec3, dvec3};
 use std::error::Error;
 use std::time::Instant;
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::model::surface::{CurveOptions, Curves, Heights, Surface};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, View};
 use umriss::run::Run;
-use umriss::view::{PreparedSurface, PreparedView};
-use umriss::visibility::{AppelOptions, appel, floating_horizon, reduce};
+use umriss::view::PreparedSurface;
+use umriss::visibility::AppelOptions;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -80,10 +80,10 @@ fn measure(name: &str, camera: Camera, side: usize, first: Option<f64>) -> Outco
         let options = CurveOptions::default();
         let prepared = PreparedSurface::new("wave", &surface, &view, &options, &run)?;
         let question = prepared.question(false);
-        let answer = floating_horizon::<Exact>(&question, &run)?;
+        let answer = exact::floating_horizon(&question, &run)?;
         best = best.min(start.elapsed().as_secs_f64());
         let start = Instant::now();
-        pieces = reduce::<Exact>(&question.lines, &answer, &run)?.pieces.len();
+        pieces = exact::reduce(&question.lines, &answer, &run)?.pieces.len();
         reducing = reducing.min(start.elapsed().as_secs_f64());
     }
     let per_point = best * 1e9 / (side * side) as f64;
@@ -108,8 +108,8 @@ fn by_appel(surface: &Surface, view: &View) -> Outcome<f64> {
         let start = Instant::now();
         let mesh = Mesh::new(vec![surface.soup("wave", &curves)], None)?;
         let options = FeatureOptions::default().with_classes(&[LineClass::Line]);
-        let prepared = PreparedView::new::<Exact>(&mesh, view, &options, &run)?;
-        appel::<Exact>(&prepared.question(false), &AppelOptions::default(), &run)?;
+        let prepared = exact::prepare(&mesh, view, &options, &run)?;
+        exact::appel(&prepared.question(false), &AppelOptions::default(), &run)?;
         best = best.min(start.elapsed().as_secs_f64());
     }
     Ok(best)

@@ -16,18 +16,17 @@ use umriss::drawing::{
     Content, Drawing, DrawingOptions, Effort, Fill, FilledShape, Hatch, Layer, LayerTags,
     LineStyle, Preset, Strokes, Styles, SurfaceOptions, Weight, matches, read_styles,
 };
+use umriss::exact;
 use umriss::export::{SvgOptions, to_png, to_svg, write_file};
-use umriss::kernel::predicates::Exact;
 use umriss::model::surface::{CurveOptions, Heights, Surface};
 use umriss::model::{
     Camera, Color, FeatureOptions, LineClass, Mesh, Scene, SceneOptions, StandardView, View, import,
 };
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
-use umriss::view::{ImageRegions, LineQuestion, ObjectWish, PreparedSurface, PreparedView};
+use umriss::view::{ImageRegions, LineQuestion, ObjectWish, PreparedSurface};
 use umriss::visibility::{
-    AppelOptions, PainterFault, PainterOptions, RegionOptions, appel, floating_horizon,
-    image_regions, paint_order, painted_image, reduce, reduce_with_crossings, visible_regions,
+    AppelOptions, PainterFault, PainterOptions, RegionOptions, image_regions, painted_image,
 };
 
 /// Name, model and flags of every drawing.
@@ -185,18 +184,18 @@ fn draw(root: &Path, name: &str, model: &str, flags: &Flags) -> Result<usize, Bo
     let (options, run) = (flags.options()?, Run::default());
     let styles = flags.styles(root)?;
     let (view, wishes) = (flags.view(scene.mesh.bounds())?, flags.wishes(&scene.mesh)?);
-    let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, &run)?;
+    let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, &run)?;
     let question = prepared.question(flags.get("hidden").is_some());
     if flags.get("method") == Some("painter") {
         return paint(root, name, &question, flags, None);
     }
-    let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
-    let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, &run)?;
+    let answer = exact::appel(&question, &AppelOptions::default(), &run)?;
+    let (lines, crossings) = exact::reduce_with_crossings(&question, &answer, &run)?;
     let surfaces = flags.surfaces()?;
     let regions = match surfaces == SurfaceOptions::default() {
         true => ImageRegions::default(),
         false => {
-            let regions = visible_regions::<Exact>(&question, &RegionOptions::default(), &run)?;
+            let regions = exact::visible_regions(&question, &RegionOptions::default(), &run)?;
             image_regions(&question, &regions)?
         }
     };
@@ -216,7 +215,7 @@ fn paint(
     fault: Option<PainterFault>,
 ) -> Result<usize, Box<dyn Error>> {
     let options = PainterOptions { fault, ..PainterOptions::default() };
-    let order = paint_order::<Exact>(question, &options, &Run::default())?;
+    let order = exact::paint_order(question, &options, &Run::default())?;
     let (faces, lines) = painted_image(question, &order)?;
     let (styles, surfaces) = (flags.styles(root)?, flags.surfaces()?);
     let drawing = Drawing::painted(&faces, &lines, &flags.options()?, &styles, &surfaces)?;
@@ -233,7 +232,7 @@ fn bars(root: &Path, name: &str) -> Result<(), Box<dyn Error>> {
     let flags = Flags::read(flags)?;
     let view = flags.view(scene.mesh.bounds())?;
     let options = FeatureOptions::default();
-    let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, &Run::default())?;
+    let prepared = exact::prepare(&scene.mesh, &view, &options, &Run::default())?;
     paint(root, name, &prepared.question(false), &flags, Some(PainterFault::DepthOnly))?;
     Ok(())
 }
@@ -266,8 +265,8 @@ fn draw_surface(
     let (run, view) = (Run::default(), flags.view(surface.bounds())?);
     let prepared = PreparedSurface::new(source, &surface, &view, &curves, &run)?;
     let question = prepared.question(false);
-    let answer = floating_horizon::<Exact>(&question, &run)?;
-    let lines = reduce::<Exact>(&question.lines, &answer, &run)?;
+    let answer = exact::floating_horizon(&question, &run)?;
+    let lines = exact::reduce(&question.lines, &answer, &run)?;
     let regions = ImageRegions::default();
     let content = Content { lines: &lines, crossings: &[], regions: &regions };
     let styles = flags.styles(root)?;

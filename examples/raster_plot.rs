@@ -19,13 +19,13 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
+use umriss::exact;
 use umriss::export::write_file;
-use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, FeatureOptions, LineClass, Scene, SceneOptions, import};
-use umriss::raster::{ItemBuffer, Samples, methods};
+use umriss::raster::{ItemBuffer, Samples};
 use umriss::run::{Cancelled, Run};
-use umriss::view::{PreparedView, VisibleLines};
-use umriss::visibility::{AppelOptions, appel, reduce};
+use umriss::view::VisibleLines;
+use umriss::visibility::AppelOptions;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -46,18 +46,18 @@ fn main() -> Outcome<()> {
     let view = Camera::Orthographic { forward, target: None, up: DVec3::Y }.view(mesh.bounds())?;
     let run = Run::default();
     let options = FeatureOptions::default().with_classes(&LineClass::ALL);
-    let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, &run)?;
+    let prepared = exact::prepare(&mesh, &view, &options, &run)?;
     let question = prepared.question(true);
 
     let draw = || {
-        let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
-        reduce::<Exact>(&question, &answer, &run)
+        let answer = exact::appel(&question, &AppelOptions::default(), &run)?;
+        exact::reduce(&question, &answer, &run)
     };
     let lines = draw()?;
 
     let mut exact = Vec::new();
     let mut curves: Vec<Curve> =
-        methods::<Exact>().iter().map(|(name, _)| Curve { name, points: Vec::new() }).collect();
+        exact::image_methods().iter().map(|(name, _)| Curve { name, points: Vec::new() }).collect();
     for size in SIZES {
         let count = mesh.vertices().len() as u32;
         let samples = Samples::around(&view.frame, question.coordinates, count, size)
@@ -66,7 +66,7 @@ fn main() -> Outcome<()> {
         let mut wrong = 0.0;
         for _ in 0..ROUNDS {
             exact.push(milliseconds(draw)?.0);
-            for (times, (_, method)) in times.iter_mut().zip(methods::<Exact>()) {
+            for (times, (_, method)) in times.iter_mut().zip(exact::image_methods()) {
                 let look_up = || {
                     let buffer = method(&view, &question, &samples, &run)?;
                     Ok::<_, Cancelled>(wrong_share(&lines, &samples, &buffer))

@@ -23,8 +23,10 @@
 //! - [`drawing`]: pages, layers, dashes, polylines, fills, hatches.
 //! - [`export`]: SVG, HPGL, JSON, PNG.
 //! - [`verify`]: every method against the others.
+//! - [`exact`]: every method with exact decisions, compiled once: what programs call.
 
 pub mod drawing;
+pub mod exact;
 pub mod export;
 pub mod fill;
 pub mod kernel;

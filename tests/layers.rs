@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Rooms, ground floor first. A room may use the rooms before it.
-const ROOMS: [&str; 12] = [
+const ROOMS: [&str; 13] = [
     "run",
     "kernel",
     "spatial",
@@ -24,6 +24,7 @@ const ROOMS: [&str; 12] = [
     "drawing",
     "export",
     "verify",
+    "exact",
 ];
 
 /// Rooms on one floor: neither may know the other.

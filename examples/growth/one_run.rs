@@ -6,12 +6,11 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::time::Instant;
 use umriss::drawing::{Drawing, DrawingOptions};
+use umriss::exact;
 use umriss::export::{SvgOptions, to_svg, write_file};
-use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, FeatureOptions, LineClass, Scene, SceneOptions, import};
 use umriss::run::Run;
-use umriss::view::PreparedView;
-use umriss::visibility::{AppelOptions, appel, reduce};
+use umriss::visibility::AppelOptions;
 
 /// Which lines are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -107,10 +106,10 @@ fn draw(path: &Path, lines: Lines, run: &Run<'_>) -> Outcome<usize> {
     let classes: Vec<LineClass> =
         LineClass::ALL.into_iter().filter(|class| !left_out.contains(class)).collect();
     let options = FeatureOptions::default().with_classes(&classes);
-    let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
+    let prepared = exact::prepare(&scene.mesh, &view, &options, run)?;
     let question = prepared.question(false);
-    let answer = appel::<Exact>(&question, &AppelOptions::default(), run)?;
-    let visible = reduce::<Exact>(&question, &answer, run)?;
+    let answer = exact::appel(&question, &AppelOptions::default(), run)?;
+    let visible = exact::reduce(&question, &answer, run)?;
     let drawing = run.stage("page", 0, || Drawing::new(&visible, &DrawingOptions::default()))?;
     run.stage("SVG", 0, || -> Outcome<()> {
         let svg = to_svg(&drawing, &SvgOptions::default())?;

@@ -2,12 +2,11 @@
 
 use super::scenes::Scene;
 use std::error::Error;
-use umriss::kernel::predicates::{Audited, Exact};
+use umriss::exact;
+use umriss::kernel::predicates::Audited;
 use umriss::model::{FeatureOptions, LineClass, Mesh, View};
 use umriss::run::Run;
-use umriss::verify::{
-    PaintVerifyOptions, RegionVerifyOptions, VerifyOptions, verify, verify_painting, verify_regions,
-};
+use umriss::verify::{PaintVerifyOptions, RegionVerifyOptions, VerifyOptions};
 use umriss::view::PreparedView;
 use umriss::visibility::{AppelOptions, appel, reduce};
 
@@ -55,22 +54,22 @@ fn audit(mesh: &Mesh, view: &View, proof: &mut Proof) -> Outcome<()> {
 /// What `verify` says of lines, regions and painting orders.
 fn faults(mesh: &Mesh, view: &View) -> Outcome<Vec<String>> {
     let run = Run::default();
-    let prepared = PreparedView::new::<Exact>(mesh, view, &options(), &run)?;
+    let prepared = exact::prepare(mesh, view, &options(), &run)?;
     let question = prepared.question(true);
-    let answer = appel::<Exact>(&question, &AppelOptions::default(), &run)?;
+    let answer = exact::appel(&question, &AppelOptions::default(), &run)?;
     let mut faults = Vec::new();
     let options = VerifyOptions { image_size: 64, ..VerifyOptions::default() };
-    let lines = verify::<Exact>(view, &question, &answer, &options, &run)?;
+    let lines = exact::verify(view, &question, &answer, &options, &run)?;
     if !lines.is_clean() {
         faults.push(format!("lines\n{lines}"));
     }
     let options = RegionVerifyOptions { image_size: 32, ..RegionVerifyOptions::default() };
-    let regions = verify_regions::<Exact>(view, &question, &answer, &options, &run)?;
+    let regions = exact::verify_regions(view, &question, &answer, &options, &run)?;
     if !regions.is_clean() {
         faults.push(format!("regions\n{regions}"));
     }
     let options = PaintVerifyOptions { image_size: 32, ..PaintVerifyOptions::default() };
-    let painting = verify_painting::<Exact>(view, &question, &options, &run)?;
+    let painting = exact::verify_painting(view, &question, &options, &run)?;
     if !painting.is_clean() {
         faults.push(format!("painting\n{painting}"));
     }

@@ -6,11 +6,12 @@ use super::scenes::Scene;
 use glam::DVec2;
 use std::error::Error;
 use std::time::Instant;
+use umriss::exact;
 use umriss::kernel::predicates::{Exact, FilterOnly, Place, Plain, Policy, Predicates};
 use umriss::model::{FeatureOptions, LineClass, LineOrigin, Mesh};
 use umriss::run::Run;
 use umriss::view::{ExactLines, LineQuestion, PreparedView};
-use umriss::visibility::{AppelOptions, appel, roberts};
+use umriss::visibility::{AppelOptions, appel};
 
 pub(crate) type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -61,7 +62,7 @@ impl Contender {
             Contender::FilterOnly => by_appel::<FilterOnly>(scene),
             Contender::Plain => by_appel::<Plain>(scene),
             Contender::Roberts => with_question::<Exact, _>(scene, |question, run| {
-                Ok(visible(question, &roberts::<Exact>(question, None, run)?))
+                Ok(visible(question, &exact::roberts(question, None, run)?))
             }),
             Contender::Sampled(steps) => Ok(by_samples(&scene.mesh, &scene.view, steps)),
             Contender::Buffer(size) => with_question::<Exact, _>(scene, |question, run| {

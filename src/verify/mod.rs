@@ -23,8 +23,6 @@
 
 mod against_image;
 mod against_judge;
-#[cfg(all(debug_assertions, not(test)))]
-mod compiled;
 mod cover;
 mod cross_check;
 mod explain;

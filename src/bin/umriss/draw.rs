@@ -18,14 +18,12 @@ use crate::surface_flags::SurfaceFlags;
 use clap::Args;
 use std::path::PathBuf;
 use umriss::drawing::{Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, Window};
+use umriss::exact;
 use umriss::export::{DrawingNotes, OutputFormat};
-use umriss::kernel::predicates::Exact;
 use umriss::model::{LineOrigin, Scene, Soup, View};
 use umriss::run::Run;
-use umriss::view::{Crossing, ImageRegions, PreparedView, VisibleLines};
-use umriss::visibility::{
-    RegionOptions, image_regions, outlined, reduce, reduce_with_crossings, visible_regions,
-};
+use umriss::view::{Crossing, ImageRegions, VisibleLines};
+use umriss::visibility::{RegionOptions, image_regions};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -187,17 +185,17 @@ impl Draw {
         if opaque_only && wishes.iter().any(|wish| wish.see_through) {
             return Err(Failure::usage(OPAQUE_ONLY));
         }
-        let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
+        let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(hidden);
         let regions = match self.surfaces.any() {
-            true => Some(visible_regions::<Exact>(&question, &RegionOptions::default(), run)?),
+            true => Some(exact::visible_regions(&question, &RegionOptions::default(), run)?),
             false => None,
         };
         let window = self.window(scene, &view, styles);
         if let Some(window) = window.filter(|_| method == Method::Appel && !all_lines) {
             let part = question.within(window.low(), window.high());
             let answer = method.answer(&part, None, run)?;
-            let lines = reduce::<Exact>(&part, &answer, run)?;
+            let lines = exact::reduce(&part, &answer, run)?;
             // If none is in the window it is told where they all are.
             if lines.pieces.iter().any(|piece| window.shows(piece, view.frame.projection)) {
                 return Ok((lines, None, ImageRegions::default()));
@@ -205,13 +203,13 @@ impl Draw {
         }
         let mut answer = method.answer(&question, regions.as_ref(), run)?;
         if let Some(of) = self.style.outline_wanted(styles) {
-            answer = outlined::<Exact>(&question, &answer, of, run)?;
+            answer = exact::outlined(&question, &answer, of, run)?;
         }
         let (lines, crossings) = if self.style.crossings_wanted() {
-            let (lines, crossings) = reduce_with_crossings::<Exact>(&question, &answer, run)?;
+            let (lines, crossings) = exact::reduce_with_crossings(&question, &answer, run)?;
             (lines, Some(crossings))
         } else {
-            (reduce::<Exact>(&question, &answer, run)?, None)
+            (exact::reduce(&question, &answer, run)?, None)
         };
         let regions = match &regions {
             Some(regions) => image_regions(&question, regions)?,
@@ -240,7 +238,7 @@ impl Draw {
         if wishes.iter().any(|wish| wish.see_through) {
             return Err(Failure::usage(OPAQUE_ONLY));
         }
-        let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
+        let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(false);
         if question.lines.iter().any(|line| !matches!(line.origin, LineOrigin::Edge(_))) {
             self.session.note(paint::LINES_LEFT_OUT);

@@ -13,12 +13,12 @@ use clap::Args;
 use glam::DVec2;
 use std::path::PathBuf;
 use umriss::drawing::Styles;
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::model::Soup;
 use umriss::run::Run;
 use umriss::verify::Explainer;
-use umriss::view::{PreparedView, VisibleLines};
-use umriss::visibility::{AppelOptions, appel};
+use umriss::view::VisibleLines;
+use umriss::visibility::AppelOptions;
 
 /// The share of a picture's longer side within which a line is at a place.
 const NEAR: f64 = 0.01;
@@ -86,9 +86,9 @@ impl Explain {
         let scene = read_selected(&self.models, &self.model, &select, &self.session, run)?;
         let view = self.camera.view(&scene.mesh)?;
         let wishes = self.objects.wishes(&scene.mesh, &self.lines.options(), &styles);
-        let prepared = PreparedView::with_wishes::<Exact>(&scene.mesh, &view, &wishes, run)?;
+        let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(true);
-        let answer = appel::<Exact>(&question, &AppelOptions::default(), run)?;
+        let answer = exact::appel(&question, &AppelOptions::default(), run)?;
         let explainer = Explainer::new(&view, &question, &answer, run)?;
         let explanation = explainer.at(self.at);
         let lines = explainer.lines();

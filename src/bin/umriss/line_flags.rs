@@ -2,13 +2,11 @@
 
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::model::{FeatureOptions, LineClass};
 use umriss::run::Run;
 use umriss::view::{ExactLines, LineQuestion, VisibleRegions};
-use umriss::visibility::{
-    AppelOptions, RegionOptions, appel, region_lines, roberts, visible_regions,
-};
+use umriss::visibility::{AppelOptions, RegionOptions};
 
 /// Which edges are lines.
 #[derive(Args)]
@@ -81,16 +79,16 @@ impl Method {
     ) -> Result<ExactLines, Failure> {
         self.check(question.hidden_wanted)?;
         match (self, regions) {
-            (Method::Roberts, _) => Ok(roberts::<Exact>(question, None, run)?),
+            (Method::Roberts, _) => Ok(exact::roberts(question, None, run)?),
             (Method::WeilerAtherton, Some(regions)) => {
-                Ok(region_lines::<Exact>(question, regions, run)?)
+                Ok(exact::region_lines(question, regions, run)?)
             }
             (Method::WeilerAtherton, None) => {
                 let options = RegionOptions::default();
-                let regions = visible_regions::<Exact>(question, &options, run)?;
-                Ok(region_lines::<Exact>(question, &regions, run)?)
+                let regions = exact::visible_regions(question, &options, run)?;
+                Ok(exact::region_lines(question, &regions, run)?)
             }
-            _ => Ok(appel::<Exact>(question, &AppelOptions::default(), run)?),
+            _ => Ok(exact::appel(question, &AppelOptions::default(), run)?),
         }
     }
 }

@@ -3,10 +3,10 @@
 use crate::failure::Failure;
 use clap::Args;
 use umriss::drawing::{Drawing, DrawingOptions, Styles, SurfaceOptions};
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::run::Run;
 use umriss::view::{LineQuestion, VisibleLines};
-use umriss::visibility::{Painter, PainterOptions, paint_order, painted_image};
+use umriss::visibility::{Painter, PainterOptions, painted_image};
 
 /// Why a plotter cannot have it.
 pub(crate) const NO_PLOTTER: &str = "\
@@ -61,7 +61,7 @@ impl PaintFlags {
         run: &Run<'_>,
     ) -> Result<(VisibleLines, Drawing), Failure> {
         let painter = PainterOptions { painter: self.painter.unwrap_or_default(), fault: None };
-        let order = paint_order::<Exact>(question, &painter, run)?;
+        let order = exact::paint_order(question, &painter, run)?;
         let count = order.pieces.len() as u64;
         let (faces, lines) =
             run.stage("painted-image", count, || painted_image(question, &order))?;

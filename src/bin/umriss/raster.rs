@@ -12,17 +12,15 @@ use crate::session::RunFlags;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
+use umriss::exact;
 use umriss::export::{boxes_to_svg, pixels_to_png, to_png, write_file};
 use umriss::fill::{Canvas, Pattern};
-use umriss::kernel::predicates::Exact;
 use umriss::model::{Color, FeatureOptions, View};
 use umriss::raster::{
-    ABufferOptions, Compare, Method, OrderError, Samples, Shading, Show, Subdivision, c_buffer,
-    coverage, front_to_back, methods, preview, span_buffer_with, visible_fragments,
-    warnock_windows,
+    ABufferOptions, Compare, Method, OrderError, Samples, Shading, Show, Subdivision, coverage,
 };
 use umriss::run::Run;
-use umriss::view::{LineQuestion, PreparedView};
+use umriss::view::LineQuestion;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -92,7 +90,7 @@ enum Chosen {
 
 /// All methods by name.
 fn named_methods() -> impl Iterator<Item = NamedMethod> {
-    let table = methods::<Exact>().into_iter();
+    let table = exact::image_methods().into_iter();
     table.map(|(name, method)| (name, Chosen::Table(method))).chain([("c-buffer", Chosen::CBuffer)])
 }
 
@@ -144,12 +142,12 @@ impl Raster {
         let view = self.camera.view(&mesh)?;
         // No lines are asked for, only what lies where.
         let options = FeatureOptions::default().with_classes(&[]);
-        let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, run)?;
+        let prepared = exact::prepare(&mesh, &view, &options, run)?;
         let question = prepared.question(false);
         let samples = samples(&question, self.size)?;
         if let (Picture::Splits, Some(subdivision)) = (self.show, self.subdivision()) {
             let (_, windows) =
-                warnock_windows::<Exact>(&view, &question, &samples, subdivision, run)?;
+                exact::warnock_windows(&view, &question, &samples, subdivision, run)?;
             let boxes = windows.iter().map(|window| (window.rectangle(), window.stop.color()));
             let svg = boxes_to_svg(self.size, boxes);
             return if is_svg { Ok(svg.into_bytes()) } else { Ok(to_png(&svg, self.size[0])?) };
@@ -166,17 +164,14 @@ impl Raster {
         };
         let buffer = match self.method {
             (_, Chosen::CBuffer) => {
-                let order =
-                    front_to_back::<Exact>(&question, run).map_err(|error| match error {
-                        OrderError::Cancelled(error) => Failure::from(error),
-                        _ => Failure::failed(format!("c-buffer: {error}, expected another method")),
-                    })?;
-                c_buffer::<Exact>(&view, &question, &samples, &order, run)?
+                let order = exact::front_to_back(&question, run).map_err(|error| match error {
+                    OrderError::Cancelled(error) => Failure::from(error),
+                    _ => Failure::failed(format!("c-buffer: {error}, expected another method")),
+                })?;
+                exact::c_buffer(&view, &question, &samples, &order, run)?
             }
             (_, Chosen::Table(method)) => match self.compare {
-                Some(compare) => {
-                    span_buffer_with::<Exact>(&view, &question, &samples, compare, run)?
-                }
+                Some(compare) => exact::span_buffer_with(&view, &question, &samples, compare, run)?,
                 None => method(&view, &question, &samples, run)?,
             },
         };
@@ -194,7 +189,7 @@ impl Raster {
     ) -> Result<Canvas, Failure> {
         let options = ABufferOptions::default();
         if self.show == Picture::Coverage {
-            let fragments = visible_fragments::<Exact>(view, question, samples, options, run)?;
+            let fragments = exact::visible_fragments(view, question, samples, options, run)?;
             return Ok(coverage(&fragments));
         }
         let mut shading = Shading::new(view, question).with_opacity(self.opacity.unwrap_or(1.0));
@@ -205,7 +200,7 @@ impl Raster {
             };
         }
         let paint = |triangle, at| shading.paint(triangle, at);
-        let canvas = preview::<Exact>(view, question, samples, options, &paint, run)?;
+        let canvas = exact::preview(view, question, samples, options, &paint, run)?;
         Ok(canvas.on([255; 3]))
     }
 

@@ -16,17 +16,15 @@ use clap::{Args, ValueEnum};
 use umriss::drawing::{
     Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, SurfaceOptions,
 };
+use umriss::exact;
 use umriss::export::DrawingNotes;
-use umriss::kernel::predicates::Exact;
 use umriss::model::surface::{Curves, Surface};
 use umriss::model::{FeatureOptions, LineClass, Mesh, MeshError, View};
 use umriss::run::Run;
 use umriss::view::{
-    Crossing, ExactLines, ImageRegions, LineQuestion, PreparedSurface, PreparedView, VisibleLines,
+    Crossing, ExactLines, ImageRegions, LineQuestion, PreparedSurface, VisibleLines,
 };
-use umriss::visibility::{
-    AppelOptions, appel, floating_horizon, outlined, reduce, reduce_with_crossings,
-};
+use umriss::visibility::AppelOptions;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -154,7 +152,7 @@ impl SurfaceCommand {
                 _ => Failure::usage(NO_CURVES),
             })?;
         let question = prepared.question(hidden);
-        let answer = floating_horizon::<Exact>(&question, run)?;
+        let answer = exact::floating_horizon(&question, run)?;
         self.reduced(&question.lines, &answer, run)
     }
 
@@ -172,11 +170,11 @@ impl SurfaceCommand {
         let points = soup.vertices.len() as u64;
         let mesh = run.stage("mesh", points, || Mesh::within(vec![soup], None, run))?;
         let options = FeatureOptions::default().with_classes(&[LineClass::Line]);
-        let prepared = PreparedView::new::<Exact>(&mesh, view, &options, run)?;
+        let prepared = exact::prepare(&mesh, view, &options, run)?;
         let question = prepared.question(hidden);
-        let mut answer = appel::<Exact>(&question, &AppelOptions::default(), run)?;
+        let mut answer = exact::appel(&question, &AppelOptions::default(), run)?;
         if let Some(of) = self.style.outline_wanted(styles) {
-            answer = outlined::<Exact>(&question, &answer, of, run)?;
+            answer = exact::outlined(&question, &answer, of, run)?;
         }
         self.reduced(&question, &answer, run)
     }
@@ -188,10 +186,10 @@ impl SurfaceCommand {
         run: &Run<'_>,
     ) -> Result<Found, Failure> {
         if self.style.crossings_wanted() {
-            let (lines, crossings) = reduce_with_crossings::<Exact>(question, answer, run)?;
+            let (lines, crossings) = exact::reduce_with_crossings(question, answer, run)?;
             return Ok((lines, Some(crossings)));
         }
-        Ok((reduce::<Exact>(question, answer, run)?, None))
+        Ok((exact::reduce(question, answer, run)?, None))
     }
 
     /// What is asked of the page.

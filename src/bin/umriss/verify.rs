@@ -10,14 +10,13 @@ use crate::sample_grid::{parse_size, samples};
 use crate::session::RunFlags;
 use clap::Args;
 use std::path::PathBuf;
-use umriss::kernel::predicates::Exact;
+use umriss::exact;
 use umriss::run::Run;
 use umriss::verify::{
     CrossCheck, PaintReport, PaintVerifyOptions, RegionReport, RegionVerifyOptions, Report,
-    VerifyOptions, cross_check, verify, verify_painting, verify_regions,
+    VerifyOptions,
 };
-use umriss::view::PreparedView;
-use umriss::visibility::{AppelOptions, Fault, PainterFault, RegionFault, appel};
+use umriss::visibility::{AppelOptions, Fault, PainterFault, RegionFault};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -115,37 +114,37 @@ impl Verify {
         let scene = read_scene(&self.models, &self.model, &self.session, run)?;
         let view = self.camera.view(&scene.mesh)?;
         let options = self.lines.options();
-        let prepared = PreparedView::new::<Exact>(&scene.mesh, &view, &options, run)?;
+        let prepared = exact::prepare(&scene.mesh, &view, &options, run)?;
         let question = prepared.question(true);
         let fault = match self.mistake {
             Some(Mistake::Lines(fault)) => Some(fault),
             _ => None,
         };
         let answer =
-            appel::<Exact>(&question, &AppelOptions { fault, ..AppelOptions::default() }, run)?;
-        let lines = verify::<Exact>(&view, &question, &answer, &VerifyOptions::default(), run)?;
+            exact::appel(&question, &AppelOptions { fault, ..AppelOptions::default() }, run)?;
+        let lines = exact::verify(&view, &question, &answer, &VerifyOptions::default(), run)?;
         let fault = match self.mistake {
             Some(Mistake::Regions(fault)) => Some(fault),
             _ => None,
         };
         let options = RegionVerifyOptions { up_to: self.regions, fault, ..Default::default() };
-        let regions = verify_regions::<Exact>(&view, &question, &answer, &options, run)?;
+        let regions = exact::verify_regions(&view, &question, &answer, &options, run)?;
         let fault = match self.mistake {
             Some(Mistake::Painting(fault)) => Some(fault),
             _ => None,
         };
         let options = PaintVerifyOptions { up_to: self.painting, fault, ..Default::default() };
-        let painting = verify_painting::<Exact>(&view, &question, &options, run)?;
+        let painting = exact::verify_painting(&view, &question, &options, run)?;
         let images = match self.all {
             true => {
                 let samples = samples(&question, self.size)?;
-                Some(cross_check::<Exact>(&view, &question, &samples, run)?)
+                Some(exact::cross_check(&view, &question, &samples, run)?)
             }
             false => None,
         };
         #[cfg(feature = "png")]
         if let Some(file) = &self.picture {
-            let drawn = umriss::visibility::reduce::<Exact>(&question, &answer, run)?;
+            let drawn = exact::reduce(&question, &answer, run)?;
             let segments = lines.differences().iter().map(|difference| difference.points);
             let segments = segments.chain(regions.differences());
             let segments = segments.chain(images.iter().flat_map(CrossCheck::differences));
