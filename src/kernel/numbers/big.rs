@@ -2,7 +2,7 @@
 //! coordinates span more binary orders than a fixed width holds.
 
 use super::{Ring, Sign, Significand};
-use dashu_int::IBig;
+use dashu_int::{IBig, UBig};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -14,6 +14,13 @@ impl BigInteger {
     /// The sign.
     pub fn sign(&self) -> Sign {
         self.0.cmp(&IBig::ZERO).into()
+    }
+
+    /// The integer of some words, the least first, with a sign.
+    pub(super) fn of_words(negative: bool, words: &[u64]) -> Self {
+        let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let magnitude = IBig::from(UBig::from_le_bytes(&bytes));
+        BigInteger(if negative { -magnitude } else { magnitude })
     }
 
     /// The greatest common divisor, not negative; one if both are zero.
@@ -80,6 +87,11 @@ pub(crate) fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
 }
 
 impl Ring for BigInteger {
+    #[inline(never)]
+    fn piece<T>(work: impl FnOnce() -> T) -> T {
+        work()
+    }
+
     fn read(value: f64, unit: i32) -> Self {
         let Significand { whole, exponent } = Significand::of(value);
         let shift = exponent - unit;

@@ -73,6 +73,11 @@ impl Filtered {
 
 impl Ring for Filtered {
     #[inline(always)]
+    fn piece<T>(work: impl FnOnce() -> T) -> T {
+        work()
+    }
+
+    #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
         Filtered { value, magnitude: value.abs(), depth: 0 }
     }

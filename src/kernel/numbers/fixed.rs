@@ -7,7 +7,7 @@
 //! caller chooses a width that the formula's degree and the scene's spread
 //! cannot exceed; a debug build checks it.
 
-use super::{Ring, Sign, Significand};
+use super::{BigInteger, Ring, Sign, Significand};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer below `2^(64 N)` in absolute value.
@@ -30,6 +30,11 @@ impl<const N: usize> FixedInteger<N> {
             (_, true) => Sign::Negative,
             (_, false) => Sign::Positive,
         }
+    }
+
+    /// The same as an integer of any size.
+    pub fn to_big(&self) -> BigInteger {
+        BigInteger::of_words(self.negative, &self.limbs[..self.length])
     }
 
     /// Compares absolute values.
@@ -94,7 +99,7 @@ impl<const N: usize> FixedInteger<N> {
     }
 
     /// `self + other`, where `other` counts with the sign `other_negative`.
-    #[inline]
+    #[inline(never)]
     fn add_signed(&self, other: &Self, other_negative: bool) -> Self {
         if other.length == 0 {
             *self
@@ -111,7 +116,12 @@ impl<const N: usize> FixedInteger<N> {
 }
 
 impl<const N: usize> Ring for FixedInteger<N> {
-    #[inline]
+    #[inline(never)]
+    fn piece<T>(work: impl FnOnce() -> T) -> T {
+        work()
+    }
+
+    #[inline(never)]
     fn read(value: f64, _unit: i32) -> Self {
         if value.abs() < 1.0 {
             // Integers below one are zero.
@@ -161,7 +171,7 @@ impl<const N: usize> Sub for FixedInteger<N> {
 impl<const N: usize> Mul for FixedInteger<N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let mut product = Self { negative: self.negative != other.negative, ..Self::ZERO };
         if self.length == 0 || other.length == 0 {
@@ -200,7 +210,6 @@ impl<const N: usize> Neg for FixedInteger<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernel::numbers::BigInteger;
     use proptest::prelude::*;
 
     /// Integers with up to 53 significant bits anywhere below 2^125.
@@ -221,6 +230,7 @@ mod tests {
             let fixed: FixedInteger<6> = sample(&x);
             let big: BigInteger = sample(&x);
             prop_assert_eq!(fixed.sign(), big.sign());
+            prop_assert_eq!(&fixed.to_big(), &big);
             let square = fixed * FixedInteger::<6>::read(1.0, 0) - fixed;
             prop_assert_eq!(square.sign(), Sign::Zero);
         }

@@ -37,12 +37,22 @@ pub trait Ring:
 {
     /// The number `value / 2^unit`, which is an integer.
     fn read(value: f64, unit: i32) -> Self;
+
+    /// Does a piece of a formula that many formulas have. Floats do it in its
+    /// place, where a call would cost more than the work; integers call it,
+    /// for their code is long and would stand again wherever the piece does.
+    fn piece<T>(work: impl FnOnce() -> T) -> T;
 }
 
 impl Ring for f64 {
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
         value
+    }
+
+    #[inline(always)]
+    fn piece<T>(work: impl FnOnce() -> T) -> T {
+        work()
     }
 }
 

@@ -8,7 +8,7 @@
 //! differences do, and then takes half as many steps. Wider values are better off with [`super::FixedInteger`], which counts
 //! its words. Overflow is excluded by the caller; a debug build checks it.
 
-use super::{Ring, Sign, Significand};
+use super::{BigInteger, Ring, Sign, Significand};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// An integer below `2^(64 N - 1)` in absolute value.
@@ -61,6 +61,12 @@ impl<const N: usize> SmallInteger<N> {
         quotient + rest / d.0
     }
 
+    /// The same as an integer of any size.
+    pub fn to_big(&self) -> BigInteger {
+        let size = if self.is_negative() { -*self } else { *self };
+        BigInteger::of_words(self.is_negative(), &size.words)
+    }
+
     #[inline(always)]
     fn is_negative(&self) -> bool {
         self.words[N - 1] >> 63 == 1
@@ -71,6 +77,32 @@ impl<const N: usize> SmallInteger<N> {
     fn is_short(&self) -> bool {
         let extension = ((self.words[1] as i64) >> 63) as u64;
         (2..N).fold(0, |differing, i| differing | (self.words[i] ^ extension)) == 0
+    }
+
+    /// `self * other`.
+    #[inline(always)]
+    fn product(self, other: Self) -> Self {
+        if N > 4 {
+            if self.is_short() {
+                return other.times_short(self);
+            }
+            if other.is_short() {
+                return self.times_short(other);
+            }
+        }
+        // The words of a product modulo 2^(64 N) do not depend on signs.
+        let mut words = [0; N];
+        for i in 0..N {
+            let mut carry = 0_u64;
+            for j in 0..N - i {
+                let wide = u128::from(self.words[i]) * u128::from(other.words[j])
+                    + u128::from(words[i + j])
+                    + u128::from(carry);
+                words[i + j] = wide as u64;
+                carry = (wide >> 64) as u64;
+            }
+        }
+        SmallInteger { words }
     }
 
     /// `self * short` for a number that two words hold.
@@ -119,6 +151,11 @@ fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
 }
 
 impl<const N: usize> Ring for SmallInteger<N> {
+    #[inline(never)]
+    fn piece<T>(work: impl FnOnce() -> T) -> T {
+        work()
+    }
+
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
         let Significand { whole, exponent } = Significand::of(value);
@@ -184,27 +221,8 @@ impl<const N: usize> Mul for SmallInteger<N> {
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         debug_assert!(self.bits() + other.bits() <= 64 * N, "a product exceeds the width");
-        if N > 4 {
-            if self.is_short() {
-                return other.times_short(self);
-            }
-            if other.is_short() {
-                return self.times_short(other);
-            }
-        }
-        // The words of a product modulo 2^(64 N) do not depend on signs.
-        let mut words = [0; N];
-        for i in 0..N {
-            let mut carry = 0_u64;
-            for j in 0..N - i {
-                let wide = u128::from(self.words[i]) * u128::from(other.words[j])
-                    + u128::from(words[i + j])
-                    + u128::from(carry);
-                words[i + j] = wide as u64;
-                carry = (wide >> 64) as u64;
-            }
-        }
-        SmallInteger { words }
+        // The code of a long product is longer than a call.
+        if N > 4 { Self::piece(|| self.product(other)) } else { self.product(other) }
     }
 }
 
@@ -220,7 +238,6 @@ impl<const N: usize> Neg for SmallInteger<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernel::numbers::BigInteger;
     use proptest::prelude::*;
 
     /// Whole floats below 2^60, and near their largest more often than not.
@@ -239,7 +256,9 @@ mod tests {
         #[test]
         fn small_and_big_integers_agree(x in prop::array::uniform6(coordinate())) {
             let big = sample(x, |value| BigInteger::read(value, 0)).sign();
-            prop_assert_eq!(sample(x, |value| SmallInteger::<3>::read(value, 0)).sign(), big);
+            let small = sample(x, |value| SmallInteger::<3>::read(value, 0));
+            prop_assert_eq!(small.sign(), big);
+            prop_assert_eq!(small.to_big(), sample(x, |value| BigInteger::read(value, 0)));
             let scaled = x.map(|value| value * f64::powi(2.0, 65));
             let big = sample(scaled, |value| BigInteger::read(value, 0)).sign();
             prop_assert_eq!(sample(scaled, |value| SmallInteger::<6>::read(value, 0)).sign(), big);

@@ -154,7 +154,7 @@ impl Chart {
     /// A displacement in space as one in the image: the third is its weight.
     #[inline(always)]
     fn displacement<R: Ring>(&self, points: &Points, d: [R; 3]) -> [R; 3] {
-        match self.projection {
+        R::piece(|| match self.projection {
             Projection::Flat => {
                 let [x, y, _] = d;
                 [x, y, R::read(0.0, 0)]
@@ -166,50 +166,54 @@ impl Chart {
                 [along(i), along(j), R::read(0.0, 0)]
             }
             Projection::Central { .. } => exchanged(d),
-        }
+        })
     }
 
     /// The coordinates of a vertex.
     #[inline(always)]
     pub(super) fn vertex<R: Ring>(&self, points: &Points, vertex: u32) -> [R; 3] {
-        let position = points.vertex::<R>(vertex);
-        if let Projection::Central { .. } = self.projection {
-            return exchanged(difference(position, &points.eye()));
-        }
-        let offset = difference(position, &points.vertex(0));
-        let [x, y, _] = self.displacement(points, offset);
-        [x, y, R::read(1.0, 0)]
+        R::piece(|| {
+            let position = points.vertex::<R>(vertex);
+            if let Projection::Central { .. } = self.projection {
+                return exchanged(difference(position, &points.eye()));
+            }
+            let offset = difference(position, &points.vertex(0));
+            let [x, y, _] = self.displacement(points, offset);
+            [x, y, R::read(1.0, 0)]
+        })
     }
 
     /// The coordinates of a point, with a positive weight.
     #[inline(always)]
     pub(super) fn point<R: Ring>(&self, points: &Points, point: ImagePoint) -> [R; 3] {
-        match point {
+        R::piece(|| match point {
             ImagePoint::Vertex(vertex) => self.vertex(points, vertex),
             ImagePoint::Crossing([a, b]) => cross(self.line(points, a), self.line(points, b)),
-        }
+        })
     }
 
     /// The coefficients of a line: positive on its left.
     #[inline(always)]
     pub(super) fn line<R: Ring>(&self, points: &Points, line: ImageLine) -> [R; 3] {
-        match line {
-            ImageLine::Edge([a, b]) => {
-                let start = self.vertex::<R>(points, a);
-                // The difference of two vertices rounds less than that of
-                // two offsets.
-                let ahead = difference(points.vertex(b), &points.vertex(a));
-                let [dx, dy, dw] = self.displacement(points, ahead);
-                if let Projection::Central { .. } = self.projection {
-                    return cross(start, [dx, dy, dw]);
+        R::piece(|| {
+            match line {
+                ImageLine::Edge([a, b]) => {
+                    let start = self.vertex::<R>(points, a);
+                    // The difference of two vertices rounds less than that of
+                    // two offsets.
+                    let ahead = difference(points.vertex(b), &points.vertex(a));
+                    let [dx, dy, dw] = self.displacement(points, ahead);
+                    if let Projection::Central { .. } = self.projection {
+                        return cross(start, [dx, dy, dw]);
+                    }
+                    let [x, y, _] = start;
+                    let constant = x * dy.clone() - y * dx.clone();
+                    [-dy, dx, constant]
                 }
-                let [x, y, _] = start;
-                let constant = x * dy.clone() - y * dx.clone();
-                [-dy, dx, constant]
+                ImageLine::Planes(faces) => self.common_line(points, faces),
+                ImageLine::Near(face) => self.near_line(points, face),
             }
-            ImageLine::Planes(faces) => self.common_line(points, faces),
-            ImageLine::Near(face) => self.near_line(points, face),
-        }
+        })
     }
 
     /// `f(x) g(E) - g(x) f(E)` for the functionals of two planes.

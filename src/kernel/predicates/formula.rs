@@ -105,12 +105,14 @@ pub trait Formula {
 /// `[a, b, c, d]` of four vertices.
 #[inline(always)]
 pub(super) fn orientation<R: Ring>(points: &Points, a: u32, b: u32, c: u32, d: u32) -> R {
-    let pivot = points.vertex::<R>(d);
-    determinant3(
-        difference(points.vertex(a), &pivot),
-        difference(points.vertex(b), &pivot),
-        difference(points.vertex(c), &pivot),
-    )
+    R::piece(|| {
+        let pivot = points.vertex::<R>(d);
+        determinant3(
+            difference(points.vertex(a), &pivot),
+            difference(points.vertex(b), &pivot),
+            difference(points.vertex(c), &pivot),
+        )
+    })
 }
 
 /// The eye's row after pivoting on vertex `pivot`.
@@ -122,37 +124,43 @@ fn eye_row<R: Ring>(points: &Points, pivot: &[R; 3]) -> [R; 3] {
 /// `[E, p, q, r]` of the eye and three vertices.
 #[inline(always)]
 pub(super) fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
-    let pivot = points.vertex::<R>(r);
-    determinant3(
-        eye_row(points, &pivot),
-        difference(points.vertex(p), &pivot),
-        difference(points.vertex(q), &pivot),
-    )
+    R::piece(|| {
+        let pivot = points.vertex::<R>(r);
+        determinant3(
+            eye_row(points, &pivot),
+            difference(points.vertex(p), &pivot),
+            difference(points.vertex(q), &pivot),
+        )
+    })
 }
 
 /// `[E, p, k, r]` with the axis direction `k` at infinity.
 pub(super) fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
-    let pivot = points.vertex::<R>(r);
-    let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
-    determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
+    R::piece(|| {
+        let pivot = points.vertex::<R>(r);
+        let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
+        determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
+    })
 }
 
 /// `[p, q, k, r]` with the axis direction `k` at infinity.
 fn axis_plane<R: Ring>(points: &Points, [p, q]: [u32; 2], axis: u8, r: u32) -> R {
-    let pivot = points.vertex::<R>(r);
-    let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
-    determinant3(
-        difference(points.vertex(p), &pivot),
-        difference(points.vertex(q), &pivot),
-        direction,
-    )
+    R::piece(|| {
+        let pivot = points.vertex::<R>(r);
+        let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
+        determinant3(
+            difference(points.vertex(p), &pivot),
+            difference(points.vertex(q), &pivot),
+            direction,
+        )
+    })
 }
 
 /// The value of the linear functional `f` at `point`, times the positive
 /// weight of the point.
 #[inline(always)]
 fn at_point<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
-    match point {
+    R::piece(|| match point {
         Point::Vertex(vertex) => f(vertex),
         Point::Piercing(piercing) => {
             let ([a, b], [x, y, z]) = (piercing.edge, piercing.face);
@@ -160,12 +168,12 @@ fn at_point<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
             let above = orientation::<R>(points, x, y, z, b);
             above * f(a) - below * f(b)
         }
-    }
+    })
 }
 
 /// The positive weight of a point: one for a vertex.
 pub(super) fn weight<R: Ring>(points: &Points, point: Point) -> R {
-    at_point(points, point, &|_| R::read(1.0, 0))
+    R::piece(|| at_point(points, point, &|_| R::read(1.0, 0)))
 }
 
 /// How much the degree grows when a formula is applied to `point`.
@@ -180,13 +188,13 @@ pub(super) fn weight_degree(point: Point) -> u32 {
 /// plane apart; for a face it is `[a, b, c, x]`, for an edge `[E, a, b, x]`.
 #[inline(always)]
 fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
-    match cut {
+    R::piece(|| match cut {
         Cut::Face([a, b, c]) => orientation(points, a, b, c, x),
         Cut::Silhouette([a, b]) => side(points, a, b, x),
         Cut::Vertex(vertex, axis) => axis_side(points, vertex, axis, x),
         Cut::Near => near_at_vertex(points, x),
         Cut::NearLine(face) => near_line_at_vertex(points, face, x),
-    }
+    })
 }
 
 /// The degree of a cut's functional at a vertex.
@@ -222,10 +230,10 @@ pub(super) fn near_at_vertex<R: Ring>(points: &Points, x: u32) -> R {
 /// The functional of a cut at an end of a carrier.
 #[inline(always)]
 fn cut_at_point<R: Ring>(points: &Points, cut: Cut, point: Point) -> R {
-    match point {
+    R::piece(|| match point {
         Point::Vertex(vertex) => cut_at_vertex(points, cut, vertex),
         Point::Piercing(_) => at_point(points, point, &|x| cut_at_vertex(points, cut, x)),
-    }
+    })
 }
 
 /// `[E, p, q, r]`: on which side of the image of pq lies that of r?
@@ -301,6 +309,30 @@ impl Formula for Value {
     #[inline(always)]
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
         cut_at_point(points, self.0, self.1)
+    }
+}
+
+/// A plane's functional at one end of a carrier, times the weights of both
+/// ends: so both ends count alike.
+pub(super) struct Weighted {
+    pub(super) cut: Cut,
+    pub(super) point: Point,
+    pub(super) other: Point,
+}
+
+impl Formula for Weighted {
+    const PREDICATE: Predicate = Predicate::Value;
+
+    fn degree(&self) -> u32 {
+        cut_degree(self.cut) + weight_degree(self.point) + weight_degree(self.other)
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let value = cut_at_point::<R>(points, self.cut, self.point);
+        match self.other {
+            Point::Vertex(_) => value,
+            Point::Piercing(_) => value * weight(points, self.other),
+        }
     }
 }
 

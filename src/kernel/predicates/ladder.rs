@@ -2,7 +2,7 @@
 
 use super::formula::{
     AlongImage, Between, Combination, Depth, ImageSide, Located, Order, Orientation, Side, Skew,
-    SkewCarriers, Turn, Value,
+    SkewCarriers, Turn, Value, Weighted,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign, SmallInteger};
@@ -182,6 +182,21 @@ fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
     }
     tally.big[name].set(tally.big[name].get() + 1);
     formula.evaluate::<BigInteger>(points).sign()
+}
+
+/// The value of `formula`, from the narrowest integers that hold it.
+#[inline(never)]
+fn exact_value<F: Formula>(points: &Points, formula: &F) -> BigInteger {
+    if points.is_narrow() {
+        match formula.bits(points.spread()) {
+            0..=191 => return formula.evaluate::<SmallInteger<3>>(points).to_big(),
+            192..=383 => return formula.evaluate::<SmallInteger<6>>(points).to_big(),
+            384..=768 => return formula.evaluate::<FixedInteger<12>>(points).to_big(),
+            769..=1792 => return formula.evaluate::<FixedInteger<28>>(points).to_big(),
+            _ => {}
+        }
+    }
+    formula.evaluate::<BigInteger>(points)
 }
 
 /// A view's points under a policy: what algorithms ask. One per worker,
@@ -411,15 +426,11 @@ impl<'p, P: Policy> Predicates<'p, P> {
         self.exact_parameter(carrier, cut)
     }
 
-    /// [`Self::parameter`] by big integers.
+    /// [`Self::parameter`] by integers.
     #[cold]
     fn exact_parameter(&self, carrier: Carrier, cut: Cut) -> f64 {
         let [start, end] = carrier.ends;
-        let value = |point, other| {
-            // The weight of the other end makes both ends count alike.
-            let weight = super::formula::weight::<BigInteger>(self.points, other);
-            Value(cut, point).evaluate::<BigInteger>(self.points) * weight
-        };
+        let value = |point, other| exact_value(self.points, &Weighted { cut, point, other });
         let (a, b) = (value(start, end), value(end, start));
         BigInteger::ratio(&a, &(a.clone() - b))
     }
