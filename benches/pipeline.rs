@@ -26,7 +26,7 @@ use umriss::export::{SvgOptions, to_svg, write_file};
 use umriss::kernel::predicates::{Exact, FilterOnly, Plain, Policy};
 use umriss::model::{Camera, FeatureOptions, LineClass, Scene, SceneOptions, import};
 use umriss::run::Run;
-use umriss::view::PreparedView;
+use umriss::view::{ObjectWish, PreparedView, Skips};
 use umriss::visibility::{AppelOptions, appel, reduce};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -112,7 +112,10 @@ fn draw<P: Policy>(path: &Path, lines: Lines, forward: DVec3) -> Outcome<usize> 
         .collect();
     let options = FeatureOptions::default().with_classes(&classes);
     let run = Run::default();
-    let prepared = PreparedView::new::<P>(&scene.mesh, &view, &options, &run)?;
+    let wishes =
+        vec![ObjectWish { features: options, see_through: false }; scene.mesh.objects().len()];
+    let skips = Skips::default();
+    let prepared = PreparedView::for_visible_lines::<P>(&scene.mesh, &view, &wishes, &skips, &run)?;
     let question = prepared.question(false);
     let answer = appel::<P>(&question, &AppelOptions::default(), &run)?;
     let visible = reduce::<P>(&question, &answer, &run)?;

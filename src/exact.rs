@@ -58,19 +58,18 @@ pub fn prepare_with_wishes<'m>(
     PreparedView::with_wishes::<Exact>(mesh, view, wishes, run)
 }
 
-/// [`PreparedView::with_skips`].
+/// [`PreparedView::for_visible_lines`].
 ///
 /// # Errors
 ///
 /// If the run is cancelled or reaches a limit.
-pub fn prepare_with_skips<'m>(
+pub fn prepare_for_visible_lines<'m>(
     mesh: &'m Mesh,
     view: &View,
     wishes: &[ObjectWish],
-    skips: &Skips,
     run: &Run,
 ) -> Result<PreparedView<'m>, Cancelled> {
-    PreparedView::with_skips::<Exact>(mesh, view, wishes, skips, run)
+    PreparedView::for_visible_lines::<Exact>(mesh, view, wishes, &Skips::default(), run)
 }
 
 /// [`visibility::appel`].

@@ -15,10 +15,10 @@
 use glam::{DVec3, dvec3};
 use rayon::prelude::*;
 use umriss::kernel::predicates::{Carrier, Cut, Exact, Eye, Point, Points, Predicates, Thorough};
-use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup};
+use umriss::model::{Camera, FeatureOptions, LineClass, LineOrigin, Mesh, Soup};
 use umriss::run::Run;
 use umriss::verify::{VerifyOptions, verify};
-use umriss::view::PreparedView;
+use umriss::view::{ExactLines, ExactPiece, LineQuestion, ObjectWish, PreparedView};
 use umriss::visibility::{AppelOptions, Culling, Skips, appel};
 
 /// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
@@ -136,6 +136,22 @@ fn scene(random: &mut SplitMix) -> Option<(Mesh, Camera)> {
     Some((mesh, camera))
 }
 
+/// The visible pieces of the lines that have some, by what the lines are.
+fn shown(question: &LineQuestion<'_>, answer: &ExactLines) -> Vec<(String, Vec<ExactPiece>)> {
+    let lines = question.lines.iter().enumerate().filter_map(|(index, line)| {
+        let visible = answer.line(index).iter().filter(|piece| piece.invisibility == 0);
+        let visible: Vec<ExactPiece> = visible.copied().collect();
+        let name = match line.origin {
+            LineOrigin::Intersection(index) => {
+                format!("{:?}", question.intersections[index as usize])
+            }
+            own => format!("{own:?}"),
+        };
+        (!visible.is_empty()).then_some((name, visible))
+    });
+    lines.collect()
+}
+
 /// Draws and proves one scene; what is wrong with it.
 fn faults(seed: u64) -> Option<String> {
     let (mesh, camera) = scene(&mut SplitMix(seed))?;
@@ -145,19 +161,24 @@ fn faults(seed: u64) -> Option<String> {
     let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, &run).unwrap();
     let question = prepared.question(true);
     let answer = appel::<Exact>(&question, &AppelOptions::default(), &run).unwrap();
-    let options = VerifyOptions { image_size: 0, ..VerifyOptions::default() };
-    let report = verify::<Exact>(&view, &question, &answer, &options, &run).unwrap();
+    let verify_options = VerifyOptions { image_size: 0, ..VerifyOptions::default() };
+    let report = verify::<Exact>(&view, &question, &answer, &verify_options, &run).unwrap();
     if !report.is_clean() {
         return Some(format!("{report}"));
     }
     // What shows is the same if only that is wanted, and all is culled that can be.
     let skips = Skips { culling: Culling::Always, ..Skips::default() };
-    let options = AppelOptions { skips, ..AppelOptions::default() };
-    let visible = appel::<Exact>(&prepared.question(false), &options, &run).unwrap();
-    let same = (0..answer.len()).all(|line| {
-        let shown = answer.line(line).iter().filter(|piece| piece.invisibility == 0);
-        shown.eq(visible.line(line))
-    });
+    let wishes = vec![ObjectWish { features: options, see_through: false }];
+    let alone =
+        PreparedView::for_visible_lines::<Exact>(&mesh, &view, &wishes, &skips, &run).unwrap();
+    let all = shown(&question, &answer);
+    let same = [prepared.question(false), alone.question(false)]
+        .map(|question| {
+            let options = AppelOptions { skips, ..AppelOptions::default() };
+            shown(&question, &appel::<Exact>(&question, &options, &run).unwrap())
+        })
+        .iter()
+        .all(|visible| *visible == all);
     (!same).then(|| "visible lines differ without hidden ones".to_owned())
 }
 

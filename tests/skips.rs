@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use umriss::kernel::predicates::Exact;
 use umriss::model::{Camera, FeatureOptions, LineClass, LineOrigin, Mesh, Soup, import};
 use umriss::run::Run;
-use umriss::view::{ExactLines, LineQuestion, ObjectWish, PreparedView};
+use umriss::view::{ExactPiece, LineQuestion, ObjectWish, PreparedView};
 use umriss::visibility::{AppelOptions, Culling, Skips, appel};
 
 /// All combinations that are worth it; the first takes no shortcut.
@@ -28,13 +28,35 @@ fn combinations() -> Vec<Skips> {
 /// What was left out on the way.
 #[derive(Debug, Default)]
 struct LeftOut {
+    /// Lines, by views that were prepared for all lines.
     covered: u64,
-    objects: u64,
+    /// Lines, by views that were prepared for visible ones.
+    early: u64,
+    triangles: u64,
     at_back: u64,
 }
 
+/// The visible pieces of the lines that have some, by what the lines are.
+type Answer = Vec<(String, Vec<ExactPiece>)>;
+
+fn answer(question: &LineQuestion<'_>, skips: Skips, run: &Run) -> Answer {
+    let options = AppelOptions { skips, ..AppelOptions::default() };
+    let answer = appel::<Exact>(question, &options, run).unwrap();
+    let lines = question.lines.iter().enumerate().filter_map(|(index, line)| {
+        let name = match line.origin {
+            LineOrigin::Intersection(index) => {
+                format!("{:?}", question.intersections[index as usize])
+            }
+            own => format!("{own:?}"),
+        };
+        let pieces = answer.line(index).to_vec();
+        (!pieces.is_empty()).then_some((name, pieces))
+    });
+    lines.collect()
+}
+
 /// The visible pieces with each combination, and what was left out.
-fn answers(mesh: &Mesh, camera: &Camera) -> (Vec<ExactLines>, LeftOut) {
+fn answers(mesh: &Mesh, camera: &Camera) -> (Vec<Answer>, LeftOut) {
     let view = camera.view(mesh.bounds()).unwrap();
     let wish = ObjectWish {
         features: FeatureOptions::default().with_classes(&LineClass::ALL),
@@ -51,22 +73,24 @@ fn answers(mesh: &Mesh, camera: &Camera) -> (Vec<ExactLines>, LeftOut) {
     assert_eq!(searched.piercings, question.piercings);
     assert_eq!(searched.contacts.unwrap().touching, question.contacts.unwrap().touching);
     let mut left_out = LeftOut::default();
-    let mut answer = |question: &LineQuestion<'_>, skips| {
-        let run = Run::default();
-        let options = AppelOptions { skips, ..AppelOptions::default() };
-        let answer = appel::<Exact>(question, &options, &run).unwrap();
-        left_out.covered += run.counters().get("lines-covered");
-        left_out.objects += run.counters().get("objects-covered");
-        left_out.at_back += run.counters().get("lines-at-back");
-        answer
-    };
     let combinations = combinations();
-    let mut answers = vec![answer(&searched, combinations[0])];
-    answers.extend(combinations.iter().map(|&skips| answer(&question, skips)));
+    let mut answers = vec![answer(&searched, combinations[0], &run)];
+    for &skips in &combinations {
+        let run = Run::default();
+        answers.push(answer(&question, skips, &run));
+        left_out.covered += run.counters().get("lines-covered");
+        left_out.at_back += run.counters().get("lines-at-back");
+        let run = Run::default();
+        let alone =
+            PreparedView::for_visible_lines::<Exact>(mesh, &view, &wishes, &skips, &run).unwrap();
+        answers.push(answer(&alone.question(false), skips, &run));
+        left_out.early += run.counters().get("lines-covered");
+        left_out.triangles += run.counters().get("triangles-covered");
+    }
     (answers, left_out)
 }
 
-fn all_same(answers: &[ExactLines]) -> bool {
+fn all_same(answers: &[Answer]) -> bool {
     answers.iter().all(|answer| *answer == answers[0])
 }
 
@@ -76,7 +100,7 @@ fn parallel(forward: DVec3) -> Camera {
 
 #[test]
 fn models_have_the_same_pieces_whatever_is_skipped() {
-    let (mut culled, mut at_back) = (0, 0);
+    let (mut culled, mut early, mut at_back) = (0, 0, 0);
     let names = [
         "bar_heap",
         "bad_soup",
@@ -118,10 +142,12 @@ fn models_have_the_same_pieces_whatever_is_skipped() {
             let (answers, left_out) = answers(&mesh, &camera);
             assert!(all_same(&answers), "{name} {camera:?}");
             culled += left_out.covered;
+            early += left_out.early;
             at_back += left_out.at_back;
         }
     }
     assert!(culled > 10_000, "only {culled} lines were culled: nothing was tested");
+    assert!(early > 10_000, "only {early} lines were culled early: nothing was tested");
     assert!(at_back > 1000, "only {at_back} lines were at the back: nothing was tested");
 }
 
@@ -177,8 +203,9 @@ fn what_lies_behind_a_triangle_is_culled_and_what_lies_before_it_is_not() {
         let (answers, left_out) = answers(&mesh, &camera);
         assert!(all_same(&answers));
         // Two of the combinations cull so few lines; diagonals are lines too.
-        assert_eq!(left_out.covered, 2 * if culled > 0 { culled + 1 } else { 0 }, "{height}");
-        assert_eq!(left_out.objects, if culled > 0 { 2 } else { 0 }, "{height}");
+        let lines = 2 * if culled > 0 { culled + 1 } else { 0 };
+        assert_eq!([left_out.covered, left_out.early], [lines; 2], "{height}");
+        assert_eq!(left_out.triangles, if culled > 0 { 2 * 2 } else { 0 }, "{height}");
     }
 }
 

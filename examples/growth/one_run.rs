@@ -10,6 +10,7 @@ use umriss::exact;
 use umriss::export::{SvgOptions, to_svg, write_file};
 use umriss::model::{Camera, FeatureOptions, LineClass, Scene, SceneOptions, import};
 use umriss::run::Run;
+use umriss::view::ObjectWish;
 use umriss::visibility::AppelOptions;
 
 /// Which lines are drawn.
@@ -106,7 +107,9 @@ fn draw(path: &Path, lines: Lines, run: &Run<'_>) -> Outcome<usize> {
     let classes: Vec<LineClass> =
         LineClass::ALL.into_iter().filter(|class| !left_out.contains(class)).collect();
     let options = FeatureOptions::default().with_classes(&classes);
-    let prepared = exact::prepare(&scene.mesh, &view, &options, run)?;
+    let wishes =
+        vec![ObjectWish { features: options, see_through: false }; scene.mesh.objects().len()];
+    let prepared = exact::prepare_for_visible_lines(&scene.mesh, &view, &wishes, run)?;
     let question = prepared.question(false);
     let answer = exact::appel(&question, &AppelOptions::default(), run)?;
     let visible = exact::reduce(&question, &answer, run)?;

@@ -79,6 +79,20 @@ pub struct EffectiveEdge {
     pub gain: i32,
 }
 
+impl EffectiveEdge {
+    /// The effective edges of a view, by edge number. O(n).
+    pub fn find(mesh: &Mesh, facing: &[Sign]) -> Vec<Self> {
+        let parts = map_chunks(mesh.edges().len(), PART, |part| {
+            let effective = |edge: usize| {
+                let triangles = mesh.edges().triangles(edge as u32).iter().copied();
+                EdgeSides::of(mesh, facing, edge as u32, triangles).effective(edge as u32)
+            };
+            part.filter_map(effective).collect::<Vec<_>>()
+        });
+        parts.concat()
+    }
+}
+
 /// Lines and effective edges of a view.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Features {
@@ -156,9 +170,7 @@ impl Features {
         } else {
             all
         };
-        if all.left != all.right {
-            self.effective.push(EffectiveEdge { edge, gain: all.right - all.left });
-        }
+        self.effective.extend(all.effective(edge));
         if let Some(class) = class_of(mesh, predicates, [all, faces], options, edge) {
             self.lines.push(FeatureLine { origin: LineOrigin::Edge(edge), class });
         }
@@ -201,6 +213,13 @@ impl EdgeSides {
             }
         }
         sides
+    }
+
+    /// The edge, if these sides make it effective.
+    #[inline]
+    fn effective(self, edge: u32) -> Option<EffectiveEdge> {
+        let gain = self.right - self.left;
+        (gain != 0).then_some(EffectiveEdge { edge, gain })
     }
 
     /// Two faces on one side, or exactly one of the two edge-on.

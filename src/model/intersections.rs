@@ -162,12 +162,20 @@ struct Search<'p, P: Policy> {
 /// have room for twice as many.
 const LINE_BYTES: usize = size_of::<IntersectionLine>() + 2 * size_of::<[u32; 2]>();
 
-/// View boxes of all triangles of a mesh, in a hierarchy.
-pub fn triangle_hierarchy(mesh: &Mesh, coordinates: &ViewCoordinates) -> Hierarchy {
+/// View boxes of the triangles of a mesh, of all or of some, in a hierarchy.
+pub fn triangle_hierarchy(
+    mesh: &Mesh,
+    coordinates: &ViewCoordinates,
+    some: Option<Vec<u32>>,
+) -> Hierarchy {
     let triangles = mesh.triangles();
     let boxes = coordinates.vertex_boxes();
     let place = |i: usize| boxes.place(triangles[i][0]);
-    Hierarchy::of(triangles.len(), place, |i| boxes.around(triangles[i]))
+    let around = |i: usize| boxes.around(triangles[i]);
+    match some {
+        Some(some) => Hierarchy::of_some(some, place, around),
+        None => Hierarchy::of(triangles.len(), place, around),
+    }
 }
 
 /// The signs of the corners of `triangle` against the plane of `against`:

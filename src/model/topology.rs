@@ -158,7 +158,7 @@ pub fn interpenetrations(mesh: &Mesh, run: &Run<'_>) -> Result<Vec<[u32; 2]>, To
     let view = StandardView::ALL[0].view(low * 0.5 + high * 0.5)?;
     let points = Points::new(mesh.vertices(), view.eye, view.near);
     let coordinates = ViewCoordinates::new(&view.frame, mesh.vertices());
-    let hierarchy = triangle_hierarchy(mesh, &coordinates);
+    let hierarchy = triangle_hierarchy(mesh, &coordinates, None);
     let found = Intersections::find::<Exact>(mesh, &points, &hierarchy, Known::default(), run)?;
     let faces = |[s, t]: [u32; 2]| {
         let [f, g] = [mesh.face_of(s), mesh.face_of(t)];

@@ -3,6 +3,7 @@
 //! and reduced to [`VisibleLines`]), [`VisibleRegions`] or a [`PaintOrder`].
 //! The lines of a grid of heights are asked for by a [`SurfaceQuestion`].
 
+mod covered;
 mod crossing;
 mod exact_lines;
 mod outline;
@@ -16,6 +17,7 @@ mod visible_lines;
 mod wishes;
 
 pub use crate::model::{Frame, LineClass, Projection};
+pub(crate) use covered::Covered;
 pub use crossing::Crossing;
 pub use exact_lines::{ExactLines, ExactPiece};
 pub use outline::OutlineOf;

@@ -2,7 +2,7 @@
 //! need and none should compute twice.
 
 use super::wishes;
-use super::{Contacts, LineQuestion, ObjectWish, Skips};
+use super::{Contacts, Covered, Culling, LineQuestion, ObjectWish, Skips};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
 use crate::model::{
@@ -33,6 +33,8 @@ pub struct PreparedView<'m> {
     coordinates: ViewCoordinates,
     facing: Vec<Sign>,
     features: Features,
+    /// Whether what is certainly hidden was left out.
+    culled: bool,
     convex: Option<ConvexParts>,
     intersections: Option<(Fans, Intersections)>,
     /// Made when it is asked for.
@@ -82,6 +84,35 @@ impl<'m> PreparedView<'m> {
         skips: &Skips,
         run: &Run,
     ) -> Result<Self, Cancelled> {
+        Self::prepare::<P>(mesh, view, wishes, (skips, false), run)
+    }
+
+    /// As [`PreparedView::with_skips`], for visible pieces of lines and nothing
+    /// else: what certainly lies behind something is left out before crossings
+    /// are searched, where that pays. The lines that are left out have no
+    /// visible piece; those that stay have the same ones. Faces are not to be
+    /// asked for, nor hidden pieces.
+    ///
+    /// # Errors
+    ///
+    /// If the run is cancelled or reaches a limit.
+    pub fn for_visible_lines<P: Policy>(
+        mesh: &'m Mesh,
+        view: &View,
+        wishes: &[ObjectWish],
+        skips: &Skips,
+        run: &Run,
+    ) -> Result<Self, Cancelled> {
+        Self::prepare::<P>(mesh, view, wishes, (skips, true), run)
+    }
+
+    fn prepare<P: Policy>(
+        mesh: &'m Mesh,
+        view: &View,
+        wishes: &[ObjectWish],
+        (skips, visible_only): (&Skips, bool),
+        run: &Run,
+    ) -> Result<Self, Cancelled> {
         let triangles = mesh.triangles().len() as u64;
         run.take(bytes_of_view(mesh))?;
         let (points, coordinates) = run.stage("coordinates", triangles, || {
@@ -91,66 +122,112 @@ impl<'m> PreparedView<'m> {
             )
         });
         run.check()?;
-        let (facing, mut features) = run.stage("features", triangles, || {
+        let (facing, features) = run.stage("features", triangles, || {
             let mut facing = facing::<P>(mesh, &points, run);
             let features = wishes::find::<P>(mesh, &points, &mut facing, wishes, run);
             (facing, features)
         });
         run.check()?;
-        // With many lines, finding all piercings at once is cheaper than
-        // asking for each line.
-        let many = features.lines.len() > mesh.edges().len() / MANY_LINES;
-        let wanted = wishes.iter().any(|wish| wish.features.wants(LineClass::Intersection));
-        let convex = match (wanted || many) && skips.convex {
-            false => None,
-            true => run.stage("convex parts", triangles, || {
-                ConvexParts::find::<P>(mesh, &points, view, &facing, run)
-            })?,
-        };
-        let hierarchy = OnceLock::new();
-        let intersections = match wanted || many {
-            false => None,
-            true => {
-                let hierarchy = run.stage("hierarchy", triangles, || {
-                    hierarchy.get_or_init(|| triangle_hierarchy(mesh, &coordinates))
-                });
-                run.check()?;
-                let fans = run.stage("fans", triangles, || {
-                    Fans::find(mesh, &coordinates, &facing, &features.effective)
-                });
-                run.check()?;
-                let known = Known { fans: Some(&fans), convex: convex.as_ref() };
-                let found = run.stage("intersections", triangles, || {
-                    Intersections::find::<P>(mesh, &points, hierarchy, known, run)
-                })?;
-                Some((fans, found))
-            }
-        };
-        let made = features.lines.len() * size_of::<FeatureLine>()
-            + features.effective.len() * size_of::<EffectiveEdge>();
-        run.take(made as u64)?;
-        if wanted && let Some((_, found)) = &intersections {
-            let all = 0..found.lines.len() as u32;
-            features.lines.extend(all.map(|index| FeatureLine {
-                origin: LineOrigin::Intersection(index),
-                class: LineClass::Intersection,
-            }));
-        }
-        run.check()?;
-        Ok(PreparedView {
+        let mut prepared = PreparedView {
             mesh,
             view: *view,
             points,
             coordinates,
             facing,
             features,
-            convex,
-            intersections,
-            hierarchy,
-        })
+            culled: visible_only,
+            convex: None,
+            intersections: None,
+            hierarchy: OnceLock::new(),
+        };
+        let covered = match visible_only {
+            false => None,
+            true => run.stage("culling", triangles, || prepared.cull(skips.culling, run))?,
+        };
+        // With many lines, finding all piercings at once is cheaper than
+        // asking for each line.
+        let many = prepared.features.lines.len() > mesh.edges().len() / MANY_LINES;
+        let wanted = wishes.iter().any(|wish| wish.features.wants(LineClass::Intersection));
+        if wanted || many {
+            prepared.find_crossings::<P>(skips, run)?;
+        }
+        let Features { lines, effective } = &prepared.features;
+        let made =
+            lines.len() * size_of::<FeatureLine>() + effective.len() * size_of::<EffectiveEdge>();
+        run.take(made as u64)?;
+        if wanted {
+            prepared.add_intersection_lines(covered.as_ref());
+        }
+        run.check()?;
+        Ok(prepared)
     }
 
-    /// The question which parts of the lines are visible.
+    /// Leaves out what certainly lies behind something, if that is worth it:
+    /// lines, and triangles as if they were edge-on.
+    fn cull(&mut self, culling: Culling, run: &Run) -> Result<Option<Covered>, Cancelled> {
+        let question = self.question(false);
+        let Some(covered) = Covered::find(&question, culling, run)? else { return Ok(None) };
+        let shown = covered.shown(&question, question.lines);
+        let lines = std::mem::replace(&mut self.features.lines, shown).len();
+        run.count("lines-covered", (lines - self.features.lines.len()) as u64);
+        let mut others = Vec::new();
+        for (triangle, &gone) in covered.triangles().iter().enumerate() {
+            if gone {
+                self.facing[triangle] = Sign::Zero;
+            } else {
+                others.push(triangle as u32);
+            }
+        }
+        self.features.effective = EffectiveEdge::find(self.mesh, &self.facing);
+        let hierarchy = triangle_hierarchy(self.mesh, &self.coordinates, Some(others));
+        self.hierarchy = OnceLock::from(hierarchy);
+        run.check()?;
+        Ok(Some(covered))
+    }
+
+    /// Searches where triangles cross, with what spares looking at all pairs.
+    fn find_crossings<P: Policy>(&mut self, skips: &Skips, run: &Run) -> Result<(), Cancelled> {
+        let PreparedView { mesh, points, coordinates, facing, features, .. } = &*self;
+        let triangles = mesh.triangles().len() as u64;
+        let convex = match skips.convex {
+            false => None,
+            true => run.stage("convex parts", triangles, || {
+                ConvexParts::find::<P>(mesh, points, &self.view, facing, run)
+            })?,
+        };
+        let hierarchy = run.stage("hierarchy", triangles, || {
+            self.hierarchy.get_or_init(|| triangle_hierarchy(mesh, coordinates, None))
+        });
+        run.check()?;
+        let fans = run.stage("fans", triangles, || {
+            Fans::find(mesh, coordinates, facing, &features.effective)
+        });
+        run.check()?;
+        let known = Known { fans: Some(&fans), convex: convex.as_ref() };
+        let found = run.stage("intersections", triangles, || {
+            Intersections::find::<P>(mesh, points, hierarchy, known, run)
+        })?;
+        (self.convex, self.intersections) = (convex, Some((fans, found)));
+        Ok(())
+    }
+
+    /// Makes lines of the crossings, but for those that are hidden all along.
+    fn add_intersection_lines(&mut self, covered: Option<&Covered>) {
+        let question = self.question(false);
+        let all = 0..question.intersections.len() as u32;
+        let lines = all.map(|index| FeatureLine {
+            origin: LineOrigin::Intersection(index),
+            class: LineClass::Intersection,
+        });
+        let mut lines: Vec<FeatureLine> = lines.collect();
+        if let Some(covered) = covered {
+            lines = covered.shown(&question, &lines);
+        }
+        self.features.lines.extend_from_slice(&lines);
+    }
+
+    /// The question which parts of the lines are visible. A view that was
+    /// prepared for visible lines alone has no hidden ones to ask for.
     pub fn question(&self, hidden_wanted: bool) -> LineQuestion<'_> {
         LineQuestion {
             mesh: self.mesh,
@@ -168,7 +245,8 @@ impl<'m> PreparedView<'m> {
                 .map(|(fans, found)| Contacts { fans, touching: &found.touching }),
             convex: self.convex.as_ref(),
             hierarchy: &self.hierarchy,
-            hidden_wanted,
+            hidden_wanted: hidden_wanted && !self.culled,
+            culled: self.culled,
             window: None,
         }
     }

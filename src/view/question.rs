@@ -45,6 +45,10 @@ pub struct LineQuestion<'a> {
     /// Whether hidden pieces are wanted too. If not, a method may leave a
     /// line as soon as it is known to be hidden.
     pub hidden_wanted: bool,
+    /// Whether lines that are hidden all along were left out of `lines`
+    /// already, as far as that was worth it. Triangles that lie wholly behind
+    /// others are then as if edge-on.
+    pub culled: bool,
     /// Two opposite corners, the least first, of the part of the image that is
     /// wanted, if not all of it is. A method may leave out lines that lie
     /// wholly outside.
@@ -71,7 +75,7 @@ impl<'a> LineQuestion<'a> {
 
     /// View boxes of the triangles. O(n log n) when asked for the first time.
     pub fn hierarchy(&self) -> &'a Hierarchy {
-        self.hierarchy.get_or_init(|| triangle_hierarchy(self.mesh, self.coordinates))
+        self.hierarchy.get_or_init(|| triangle_hierarchy(self.mesh, self.coordinates, None))
     }
 
     /// Whether view boxes of the triangles were asked for already.

@@ -94,6 +94,7 @@ impl<'s> PreparedSurface<'s> {
                 convex: None,
                 hierarchy: &self.hierarchy,
                 hidden_wanted,
+                culled: false,
                 window: None,
             },
         }

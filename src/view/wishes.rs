@@ -2,7 +2,7 @@
 
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
-use crate::model::{FeatureLine, FeatureOptions, Features, LineOrigin, Mesh};
+use crate::model::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, Mesh};
 use crate::run::Run;
 
 /// How one object is looked at.
@@ -48,8 +48,7 @@ pub(super) fn find<P: Policy>(
                 *facing = Sign::Zero;
             }
         }
-        let options = FeatureOptions::default();
-        features.effective = Features::find::<P>(mesh, points, facing, &options, run).effective;
+        features.effective = EffectiveEdge::find(mesh, facing);
     }
     features
 }

@@ -4,7 +4,7 @@ use super::{AppelOptions, appel, reduce};
 use crate::kernel::predicates::Exact;
 use crate::model::{FeatureOptions, Mesh, View};
 use crate::run::{Cancelled, Run};
-use crate::view::{PreparedView, VisibleLines};
+use crate::view::{ObjectWish, PreparedView, Skips, VisibleLines};
 
 /// Finds the lines of a mesh and which parts of them are visible, by
 /// Appel's method with exact decisions; hidden parts too if wanted.
@@ -39,7 +39,14 @@ pub fn visible_lines(
     hidden_wanted: bool,
     run: &Run<'_>,
 ) -> Result<VisibleLines, Cancelled> {
-    let prepared = PreparedView::new::<Exact>(mesh, view, options, run)?;
+    let wishes = vec![ObjectWish { features: *options, see_through: false }; mesh.objects().len()];
+    let prepared = match hidden_wanted {
+        true => PreparedView::with_wishes::<Exact>(mesh, view, &wishes, run)?,
+        false => {
+            let skips = Skips::default();
+            PreparedView::for_visible_lines::<Exact>(mesh, view, &wishes, &skips, run)?
+        }
+    };
     let question = prepared.question(hidden_wanted);
     let answer = appel::<Exact>(&question, &AppelOptions::default(), run)?;
     reduce::<Exact>(&question, &answer, run)

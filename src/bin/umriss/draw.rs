@@ -185,7 +185,13 @@ impl Draw {
         if opaque_only && wishes.iter().any(|wish| wish.see_through) {
             return Err(Failure::usage(OPAQUE_ONLY));
         }
-        let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?;
+        let lines_alone = method == Method::Appel
+            && !self.surfaces.any()
+            && self.style.outline_wanted(styles).is_none();
+        let prepared = match lines_alone && !hidden {
+            true => exact::prepare_for_visible_lines(&scene.mesh, &view, &wishes, run)?,
+            false => exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?,
+        };
         let question = prepared.question(hidden);
         let regions = match self.surfaces.any() {
             true => Some(exact::visible_regions(&question, &RegionOptions::default(), run)?),

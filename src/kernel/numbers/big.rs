@@ -87,10 +87,7 @@ pub(crate) fn scale_by_power_of_two(value: f64, exponent: i64) -> f64 {
 }
 
 impl Ring for BigInteger {
-    #[inline(never)]
-    fn piece<T>(work: impl FnOnce() -> T) -> T {
-        work()
-    }
+    const IN_PLACE: bool = false;
 
     fn read(value: f64, unit: i32) -> Self {
         let Significand { whole, exponent } = Significand::of(value);

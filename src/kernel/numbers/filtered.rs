@@ -72,10 +72,7 @@ impl Filtered {
 }
 
 impl Ring for Filtered {
-    #[inline(always)]
-    fn piece<T>(work: impl FnOnce() -> T) -> T {
-        work()
-    }
+    const IN_PLACE: bool = true;
 
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {

@@ -116,10 +116,7 @@ impl<const N: usize> FixedInteger<N> {
 }
 
 impl<const N: usize> Ring for FixedInteger<N> {
-    #[inline(never)]
-    fn piece<T>(work: impl FnOnce() -> T) -> T {
-        work()
-    }
+    const IN_PLACE: bool = false;
 
     #[inline(never)]
     fn read(value: f64, _unit: i32) -> Self {

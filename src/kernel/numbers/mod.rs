@@ -38,21 +38,37 @@ pub trait Ring:
     /// The number `value / 2^unit`, which is an integer.
     fn read(value: f64, unit: i32) -> Self;
 
-    /// Does a piece of a formula that many formulas have. Floats do it in its
-    /// place, where a call would cost more than the work; integers call it,
-    /// for their code is long and would stand again wherever the piece does.
-    fn piece<T>(work: impl FnOnce() -> T) -> T;
+    /// Whether pieces of formulas are written out where they are used: see
+    /// [`piece!`](crate::kernel::numbers::piece).
+    const IN_PLACE: bool;
+
+    /// Does work in a function of its own.
+    #[inline(never)]
+    fn apart<T>(work: impl FnOnce() -> T) -> T {
+        work()
+    }
 }
 
+/// The value of a piece that many formulas have. Floats compute it in its
+/// place, where a call would cost more than the work; integers call it, for
+/// their code is long and would stand again wherever the piece does.
+macro_rules! piece {
+    ($ring:ty, $work:expr) => {
+        if <$ring as $crate::kernel::numbers::Ring>::IN_PLACE {
+            $work
+        } else {
+            <$ring as $crate::kernel::numbers::Ring>::apart(|| $work)
+        }
+    };
+}
+pub(crate) use piece;
+
 impl Ring for f64 {
+    const IN_PLACE: bool = true;
+
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
         value
-    }
-
-    #[inline(always)]
-    fn piece<T>(work: impl FnOnce() -> T) -> T {
-        work()
     }
 }
 

@@ -151,10 +151,7 @@ fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
 }
 
 impl<const N: usize> Ring for SmallInteger<N> {
-    #[inline(never)]
-    fn piece<T>(work: impl FnOnce() -> T) -> T {
-        work()
-    }
+    const IN_PLACE: bool = false;
 
     #[inline(always)]
     fn read(value: f64, _unit: i32) -> Self {
@@ -222,7 +219,7 @@ impl<const N: usize> Mul for SmallInteger<N> {
     fn mul(self, other: Self) -> Self {
         debug_assert!(self.bits() + other.bits() <= 64 * N, "a product exceeds the width");
         // The code of a long product is longer than a call.
-        if N > 4 { Self::piece(|| self.product(other)) } else { self.product(other) }
+        if N > 4 { Self::apart(|| self.product(other)) } else { self.product(other) }
     }
 }
 

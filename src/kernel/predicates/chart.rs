@@ -21,7 +21,7 @@
 //! stay bounded however many clips follow one another.
 
 use super::Points;
-use crate::kernel::numbers::{Ring, cross, difference, dot};
+use crate::kernel::numbers::{Ring, cross, difference, dot, piece};
 
 /// A directed line of the image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -154,25 +154,29 @@ impl Chart {
     /// A displacement in space as one in the image: the third is its weight.
     #[inline(always)]
     fn displacement<R: Ring>(&self, points: &Points, d: [R; 3]) -> [R; 3] {
-        R::piece(|| match self.projection {
-            Projection::Flat => {
-                let [x, y, _] = d;
-                [x, y, R::read(0.0, 0)]
+        piece!(
+            R,
+            match self.projection {
+                Projection::Flat => {
+                    let [x, y, _] = d;
+                    [x, y, R::read(0.0, 0)]
+                }
+                Projection::Parallel { axes, mirrored } => {
+                    let [i, j] = self.plane_axes(axes, mirrored);
+                    let (k, v) = (axes[2], points.eye::<R>());
+                    let along =
+                        |i: usize| d[i].clone() * v[k].clone() - d[k].clone() * v[i].clone();
+                    [along(i), along(j), R::read(0.0, 0)]
+                }
+                Projection::Central { .. } => exchanged(d),
             }
-            Projection::Parallel { axes, mirrored } => {
-                let [i, j] = self.plane_axes(axes, mirrored);
-                let (k, v) = (axes[2], points.eye::<R>());
-                let along = |i: usize| d[i].clone() * v[k].clone() - d[k].clone() * v[i].clone();
-                [along(i), along(j), R::read(0.0, 0)]
-            }
-            Projection::Central { .. } => exchanged(d),
-        })
+        )
     }
 
     /// The coordinates of a vertex.
     #[inline(always)]
     pub(super) fn vertex<R: Ring>(&self, points: &Points, vertex: u32) -> [R; 3] {
-        R::piece(|| {
+        piece!(R, {
             let position = points.vertex::<R>(vertex);
             if let Projection::Central { .. } = self.projection {
                 return exchanged(difference(position, &points.eye()));
@@ -186,16 +190,19 @@ impl Chart {
     /// The coordinates of a point, with a positive weight.
     #[inline(always)]
     pub(super) fn point<R: Ring>(&self, points: &Points, point: ImagePoint) -> [R; 3] {
-        R::piece(|| match point {
-            ImagePoint::Vertex(vertex) => self.vertex(points, vertex),
-            ImagePoint::Crossing([a, b]) => cross(self.line(points, a), self.line(points, b)),
-        })
+        piece!(
+            R,
+            match point {
+                ImagePoint::Vertex(vertex) => self.vertex(points, vertex),
+                ImagePoint::Crossing([a, b]) => cross(self.line(points, a), self.line(points, b)),
+            }
+        )
     }
 
     /// The coefficients of a line: positive on its left.
     #[inline(always)]
     pub(super) fn line<R: Ring>(&self, points: &Points, line: ImageLine) -> [R; 3] {
-        R::piece(|| {
+        piece!(R, {
             match line {
                 ImageLine::Edge([a, b]) => {
                     let start = self.vertex::<R>(points, a);

@@ -9,7 +9,7 @@
 //! grows by three per piercing.
 
 use super::{Carrier, Cut, Place, Point, Points};
-use crate::kernel::numbers::{Ring, determinant3, difference, dot};
+use crate::kernel::numbers::{Ring, determinant3, difference, dot, piece};
 
 /// Names of the predicates, for counting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,7 +105,7 @@ pub trait Formula {
 /// `[a, b, c, d]` of four vertices.
 #[inline(always)]
 pub(super) fn orientation<R: Ring>(points: &Points, a: u32, b: u32, c: u32, d: u32) -> R {
-    R::piece(|| {
+    piece!(R, {
         let pivot = points.vertex::<R>(d);
         determinant3(
             difference(points.vertex(a), &pivot),
@@ -124,7 +124,7 @@ fn eye_row<R: Ring>(points: &Points, pivot: &[R; 3]) -> [R; 3] {
 /// `[E, p, q, r]` of the eye and three vertices.
 #[inline(always)]
 pub(super) fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
-    R::piece(|| {
+    piece!(R, {
         let pivot = points.vertex::<R>(r);
         determinant3(
             eye_row(points, &pivot),
@@ -136,7 +136,7 @@ pub(super) fn side<R: Ring>(points: &Points, p: u32, q: u32, r: u32) -> R {
 
 /// `[E, p, k, r]` with the axis direction `k` at infinity.
 pub(super) fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R {
-    R::piece(|| {
+    piece!(R, {
         let pivot = points.vertex::<R>(r);
         let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
         determinant3(eye_row(points, &pivot), difference(points.vertex(p), &pivot), direction)
@@ -145,7 +145,7 @@ pub(super) fn axis_side<R: Ring>(points: &Points, p: u32, axis: u8, r: u32) -> R
 
 /// `[p, q, k, r]` with the axis direction `k` at infinity.
 fn axis_plane<R: Ring>(points: &Points, [p, q]: [u32; 2], axis: u8, r: u32) -> R {
-    R::piece(|| {
+    piece!(R, {
         let pivot = points.vertex::<R>(r);
         let direction = [0, 1, 2].map(|i| R::read(if i == axis { 1.0 } else { 0.0 }, 0));
         determinant3(
@@ -160,20 +160,23 @@ fn axis_plane<R: Ring>(points: &Points, [p, q]: [u32; 2], axis: u8, r: u32) -> R
 /// weight of the point.
 #[inline(always)]
 fn at_point<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
-    R::piece(|| match point {
-        Point::Vertex(vertex) => f(vertex),
-        Point::Piercing(piercing) => {
-            let ([a, b], [x, y, z]) = (piercing.edge, piercing.face);
-            let below = orientation::<R>(points, x, y, z, a);
-            let above = orientation::<R>(points, x, y, z, b);
-            above * f(a) - below * f(b)
+    piece!(
+        R,
+        match point {
+            Point::Vertex(vertex) => f(vertex),
+            Point::Piercing(piercing) => {
+                let ([a, b], [x, y, z]) = (piercing.edge, piercing.face);
+                let below = orientation::<R>(points, x, y, z, a);
+                let above = orientation::<R>(points, x, y, z, b);
+                above * f(a) - below * f(b)
+            }
         }
-    })
+    )
 }
 
 /// The positive weight of a point: one for a vertex.
 pub(super) fn weight<R: Ring>(points: &Points, point: Point) -> R {
-    R::piece(|| at_point(points, point, &|_| R::read(1.0, 0)))
+    piece!(R, at_point(points, point, &|_| R::read(1.0, 0)))
 }
 
 /// How much the degree grows when a formula is applied to `point`.
@@ -188,13 +191,16 @@ pub(super) fn weight_degree(point: Point) -> u32 {
 /// plane apart; for a face it is `[a, b, c, x]`, for an edge `[E, a, b, x]`.
 #[inline(always)]
 fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
-    R::piece(|| match cut {
-        Cut::Face([a, b, c]) => orientation(points, a, b, c, x),
-        Cut::Silhouette([a, b]) => side(points, a, b, x),
-        Cut::Vertex(vertex, axis) => axis_side(points, vertex, axis, x),
-        Cut::Near => near_at_vertex(points, x),
-        Cut::NearLine(face) => near_line_at_vertex(points, face, x),
-    })
+    piece!(
+        R,
+        match cut {
+            Cut::Face([a, b, c]) => orientation(points, a, b, c, x),
+            Cut::Silhouette([a, b]) => side(points, a, b, x),
+            Cut::Vertex(vertex, axis) => axis_side(points, vertex, axis, x),
+            Cut::Near => near_at_vertex(points, x),
+            Cut::NearLine(face) => near_line_at_vertex(points, face, x),
+        }
+    )
 }
 
 /// The degree of a cut's functional at a vertex.
@@ -230,10 +236,13 @@ pub(super) fn near_at_vertex<R: Ring>(points: &Points, x: u32) -> R {
 /// The functional of a cut at an end of a carrier.
 #[inline(always)]
 fn cut_at_point<R: Ring>(points: &Points, cut: Cut, point: Point) -> R {
-    R::piece(|| match point {
-        Point::Vertex(vertex) => cut_at_vertex(points, cut, vertex),
-        Point::Piercing(_) => at_point(points, point, &|x| cut_at_vertex(points, cut, x)),
-    })
+    piece!(
+        R,
+        match point {
+            Point::Vertex(vertex) => cut_at_vertex(points, cut, vertex),
+            Point::Piercing(_) => at_point(points, point, &|x| cut_at_vertex(points, cut, x)),
+        }
+    )
 }
 
 /// `[E, p, q, r]`: on which side of the image of pq lies that of r?

@@ -20,7 +20,7 @@
 
 use super::formula::{near_at_vertex, orientation, side};
 use super::{Formula, Points, Policy, Predicate, Predicates};
-use crate::kernel::numbers::{BigInteger, Ring, Sign, cross, determinant3, difference, dot};
+use crate::kernel::numbers::{BigInteger, Ring, Sign, cross, determinant3, difference, dot, piece};
 use glam::DVec3;
 
 /// A plane that is known by input alone, with a side on which it is positive.
@@ -174,89 +174,108 @@ fn edge<R: Ring>(points: &Points, [a, b]: [u32; 2]) -> [R; 3] {
 
 /// The normal of a plane of the input.
 fn input_normal<R: Ring>(points: &Points, plane: InputPlane) -> [R; 3] {
-    R::piece(|| match plane {
-        InputPlane::Face([a, b, c]) => cross(edge(points, [a, c]), edge(points, [a, b])),
-        InputPlane::Wall(ends, axis) => cross(axis_direction(axis), edge(points, ends)),
-        InputPlane::Across(_, axis) => axis_direction(axis),
-        InputPlane::Near => match points.near::<R>() {
-            Some((forward, _)) => forward,
-            None => [0.0; 3].map(|zero| R::read(zero, 0)),
-        },
-        InputPlane::Level(_) => forward(points),
-    })
+    piece!(
+        R,
+        match plane {
+            InputPlane::Face([a, b, c]) => cross(edge(points, [a, c]), edge(points, [a, b])),
+            InputPlane::Wall(ends, axis) => cross(axis_direction(axis), edge(points, ends)),
+            InputPlane::Across(_, axis) => axis_direction(axis),
+            InputPlane::Near => match points.near::<R>() {
+                Some((forward, _)) => forward,
+                None => [0.0; 3].map(|zero| R::read(zero, 0)),
+            },
+            InputPlane::Level(_) => forward(points),
+        }
+    )
 }
 
 /// A plane's functional at a vertex.
 #[inline(always)]
 fn input_at_vertex<R: Ring>(points: &Points, plane: InputPlane, x: u32) -> R {
-    R::piece(|| match plane {
-        InputPlane::Face([a, b, c]) => orientation(points, a, b, c, x),
-        InputPlane::Wall([a, _], _) | InputPlane::Level(a) => {
-            dot(input_normal(points, plane), edge(points, [a, x]))
+    piece!(
+        R,
+        match plane {
+            InputPlane::Face([a, b, c]) => orientation(points, a, b, c, x),
+            InputPlane::Wall([a, _], _) | InputPlane::Level(a) => {
+                dot(input_normal(points, plane), edge(points, [a, x]))
+            }
+            InputPlane::Across(vertex, axis) => {
+                let axis = usize::from(axis);
+                points.vertex::<R>(x)[axis].clone() - points.vertex::<R>(vertex)[axis].clone()
+            }
+            InputPlane::Near => near_at_vertex(points, x),
         }
-        InputPlane::Across(vertex, axis) => {
-            let axis = usize::from(axis);
-            points.vertex::<R>(x)[axis].clone() - points.vertex::<R>(vertex)[axis].clone()
-        }
-        InputPlane::Near => near_at_vertex(points, x),
-    })
+    )
 }
 
 /// A plane's functional at the eye, point or direction.
 fn input_at_eye<R: Ring>(points: &Points, plane: InputPlane) -> R {
-    R::piece(|| match plane {
-        InputPlane::Face([a, b, c]) => -side::<R>(points, a, b, c),
-        InputPlane::Wall([a, _], _) | InputPlane::Level(a) => {
-            dot(input_normal(points, plane), towards_eye(points, a))
+    piece!(
+        R,
+        match plane {
+            InputPlane::Face([a, b, c]) => -side::<R>(points, a, b, c),
+            InputPlane::Wall([a, _], _) | InputPlane::Level(a) => {
+                dot(input_normal(points, plane), towards_eye(points, a))
+            }
+            InputPlane::Across(vertex, axis) => {
+                towards_eye::<R>(points, vertex)[usize::from(axis)].clone()
+            }
+            InputPlane::Near => match points.near::<R>() {
+                Some((_, offset)) if points.is_perspective() => -offset,
+                Some((forward, _)) => dot(forward, points.eye()),
+                None => R::read(1.0, 0),
+            },
         }
-        InputPlane::Across(vertex, axis) => {
-            towards_eye::<R>(points, vertex)[usize::from(axis)].clone()
-        }
-        InputPlane::Near => match points.near::<R>() {
-            Some((_, offset)) if points.is_perspective() => -offset,
-            Some((forward, _)) => dot(forward, points.eye()),
-            None => R::read(1.0, 0),
-        },
-    })
+    )
 }
 
 fn normal<R: Ring>(points: &Points, plane: Plane) -> [R; 3] {
-    R::piece(|| match plane {
-        Plane::Input(plane) => input_normal(points, plane),
-        Plane::Silhouette([a, b]) => cross(towards_eye(points, a), edge(points, [a, b])),
-        Plane::Shadow(face, cut) => {
-            let face = InputPlane::Face(face);
-            let [h, p] = [face, cut].map(|plane| input_normal::<R>(points, plane));
-            let [at_h, at_p] = [face, cut].map(|plane| input_at_eye::<R>(points, plane));
-            [0, 1, 2].map(|i| h[i].clone() * at_p.clone() - p[i].clone() * at_h.clone())
+    piece!(
+        R,
+        match plane {
+            Plane::Input(plane) => input_normal(points, plane),
+            Plane::Silhouette([a, b]) => cross(towards_eye(points, a), edge(points, [a, b])),
+            Plane::Shadow(face, cut) => {
+                let face = InputPlane::Face(face);
+                let [h, p] = [face, cut].map(|plane| input_normal::<R>(points, plane));
+                let [at_h, at_p] = [face, cut].map(|plane| input_at_eye::<R>(points, plane));
+                [0, 1, 2].map(|i| h[i].clone() * at_p.clone() - p[i].clone() * at_h.clone())
+            }
         }
-    })
+    )
 }
 
 #[inline(always)]
 fn at_vertex<R: Ring>(points: &Points, plane: Plane, x: u32) -> R {
-    R::piece(|| match plane {
-        Plane::Input(plane) => input_at_vertex(points, plane, x),
-        Plane::Silhouette([a, b]) => side(points, a, b, x),
-        Plane::Shadow(face, cut) => {
-            let face = InputPlane::Face(face);
-            let at = |plane| input_at_vertex::<R>(points, plane, x);
-            at(face) * input_at_eye(points, cut) - at(cut) * input_at_eye(points, face)
+    piece!(
+        R,
+        match plane {
+            Plane::Input(plane) => input_at_vertex(points, plane, x),
+            Plane::Silhouette([a, b]) => side(points, a, b, x),
+            Plane::Shadow(face, cut) => {
+                let face = InputPlane::Face(face);
+                let at = |plane| input_at_vertex::<R>(points, plane, x);
+                at(face) * input_at_eye(points, cut) - at(cut) * input_at_eye(points, face)
+            }
         }
-    })
+    )
 }
 
 /// A plane's functional at a point, times the point's positive weight.
 #[inline(always)]
 fn at_point<R: Ring>(points: &Points, plane: Plane, point: PlanePoint) -> R {
-    R::piece(|| match point {
-        PlanePoint::Vertex(vertex) => at_vertex(points, plane, vertex),
-        PlanePoint::OnEdge(ends, cut) => {
-            let [below, above] = ends.map(|end| at_vertex::<R>(points, cut, end));
-            above * at_vertex(points, plane, ends[0]) - below * at_vertex(points, plane, ends[1])
+    piece!(
+        R,
+        match point {
+            PlanePoint::Vertex(vertex) => at_vertex(points, plane, vertex),
+            PlanePoint::OnEdge(ends, cut) => {
+                let [below, above] = ends.map(|end| at_vertex::<R>(points, cut, end));
+                above * at_vertex(points, plane, ends[0])
+                    - below * at_vertex(points, plane, ends[1])
+            }
+            PlanePoint::OnFace(face, cuts) => on_face(points, plane, face, cuts),
         }
-        PlanePoint::OnFace(face, cuts) => on_face(points, plane, face, cuts),
-    })
+    )
 }
 
 /// The third formula of the module.
@@ -273,17 +292,20 @@ fn on_face<R: Ring>(points: &Points, plane: Plane, face: [u32; 3], [p, q]: [Plan
 
 /// A point's weight.
 fn weight<R: Ring>(points: &Points, point: PlanePoint) -> R {
-    R::piece(|| match point {
-        PlanePoint::Vertex(_) => R::read(1.0, 0),
-        PlanePoint::OnEdge([a, b], cut) => {
-            at_vertex::<R>(points, cut, b) - at_vertex(points, cut, a)
+    piece!(
+        R,
+        match point {
+            PlanePoint::Vertex(_) => R::read(1.0, 0),
+            PlanePoint::OnEdge([a, b], cut) => {
+                at_vertex::<R>(points, cut, b) - at_vertex(points, cut, a)
+            }
+            PlanePoint::OnFace(face, [p, q]) => determinant3(
+                input_normal(points, InputPlane::Face(face)),
+                normal(points, p),
+                normal(points, q),
+            ),
         }
-        PlanePoint::OnFace(face, [p, q]) => determinant3(
-            input_normal(points, InputPlane::Face(face)),
-            normal(points, p),
-            normal(points, q),
-        ),
-    })
+    )
 }
 
 /// On which side of a plane lies a point?

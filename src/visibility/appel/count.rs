@@ -19,17 +19,27 @@ use super::walker::{Sides, Walk, Walker};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Cut, Policy};
 use crate::spatial::Bounds;
+use std::cell::Cell;
 
 /// Counts in front of a vertex.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FromVertex {
-    vertex: Option<u32>,
+    /// The vertex, if all triangles in front of it were counted.
+    counted: Option<u32>,
     /// How many triangles hide the vertex strictly, and so the beginning of
     /// every line from it.
     sure: i32,
     /// Triangles that hide the beginnings of some lines from it, perhaps.
     unsure: Vec<u32>,
+    /// The vertex, counted or not.
+    vertex: Option<u32>,
+    /// The first of the triangles that hide it strictly.
+    hiding: Vec<u32>,
 }
+
+/// So many triangles in front of a vertex are asked whether they hide a whole
+/// line from it.
+const ASKED: usize = 16;
 
 impl<P: Policy> Walker<'_, P> {
     /// The counts just after the start of the walk.
@@ -47,8 +57,8 @@ impl<P: Policy> Walker<'_, P> {
             );
             return sum;
         };
-        if self.from_vertex.vertex != Some(vertex) {
-            self.count_from(vertex, &start);
+        if self.from_vertex.counted != Some(vertex) {
+            self.count_from(vertex, &start, None);
         }
         sum.add(Sides::both(self.from_vertex.sure));
         for &triangle in &self.from_vertex.unsure {
@@ -57,21 +67,53 @@ impl<P: Policy> Walker<'_, P> {
         sum
     }
 
-    /// Counts the triangles in front of a vertex, apart from border cases.
-    fn count_from(&mut self, vertex: u32, start: &Bounds) {
-        let mut counted = std::mem::take(&mut self.from_vertex);
-        counted.unsure.clear();
-        counted.sure = 0;
-        counted.vertex = Some(vertex);
+    /// Whether a single triangle is found that hides both ends of the walk
+    /// strictly, and so all of it: what lies behind a triangle is convex.
+    /// Where layers are many, one of the first does, and the others need not
+    /// be counted.
+    pub(super) fn one_triangle_hides(&mut self, walk: &Walk) -> bool {
+        let ([Some(start), Some(end)], false) = (walk.vertices, walk.cut) else { return false };
+        if self.from_vertex.vertex == Some(start) {
+            return self.one_hides(&self.from_vertex.hiding, end);
+        }
+        self.count_from(start, &walk.start, Some(end));
+        self.from_vertex.counted.is_none() || self.one_hides(&self.from_vertex.hiding, end)
+    }
+
+    /// Whether one of some triangles hides a vertex strictly.
+    fn one_hides(&self, triangles: &[u32], vertex: u32) -> bool {
+        triangles.iter().any(|&triangle| self.covers_vertex(vertex, triangle) == Sign::Positive)
+    }
+
+    /// Counts the triangles in front of a vertex, apart from border cases; or
+    /// leaves off as soon as so many are found as are to be asked, and one of
+    /// them hides the vertex `end` too.
+    fn count_from(&mut self, vertex: u32, start: &Bounds, end: Option<u32>) {
+        let mut from = std::mem::take(&mut self.from_vertex);
+        from.unsure.clear();
+        from.hiding.clear();
+        from.sure = 0;
+        let hidden = Cell::new(false);
         self.triangles.visit(
-            |group| group.hiding(start),
+            |group| if hidden.get() { 0 } else { group.hiding(start) },
             |triangle| match self.covers_vertex(vertex, triangle) {
-                Sign::Positive => counted.sure += 1,
-                Sign::Zero => counted.unsure.push(triangle),
+                Sign::Positive => {
+                    from.sure += 1;
+                    if from.hiding.len() < ASKED {
+                        from.hiding.push(triangle);
+                        let enough = from.hiding.len() == ASKED;
+                        hidden.set(
+                            enough && end.is_some_and(|end| self.one_hides(&from.hiding, end)),
+                        );
+                    }
+                }
+                Sign::Zero => from.unsure.push(triangle),
                 Sign::Negative => {}
             },
         );
-        self.from_vertex = counted;
+        from.vertex = Some(vertex);
+        from.counted = (!hidden.get()).then_some(vertex);
+        self.from_vertex = from;
         self.vertices_counted += 1;
     }
 

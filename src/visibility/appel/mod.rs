@@ -30,8 +30,9 @@
 
 mod carry;
 mod count;
-mod culling;
+
 mod events;
+mod left_out;
 mod linked;
 mod relevant;
 mod sweep;
@@ -39,7 +40,7 @@ mod walker;
 
 use crate::kernel::predicates::Policy;
 use crate::run::{Cancelled, Counters, Growing, Run, map_chunks};
-use crate::view::{Culling, ExactLines, ExactPiece, LineQuestion, Skips};
+use crate::view::{Covered, Culling, ExactLines, ExactPiece, LineQuestion, Skips};
 use linked::linked_lines;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -120,8 +121,9 @@ pub fn appel<P: Policy>(
     run.stage("appel", count as u64, || {
         let effective = question.effective_crossings();
         // A mistake shall show.
-        let culling = if options.fault.is_some() { Culling::Never } else { options.skips.culling };
-        let covered = culling::covered(question, culling, run)?;
+        let never = options.fault.is_some() || question.culled;
+        let culling = if never { Culling::Never } else { options.skips.culling };
+        let covered = Covered::find(question, culling, run)?;
         let walker =
             || Walker::<P>::new(question, &effective, &triangles, covered.as_ref(), options);
         match question.contacts.filter(|_| options.skips.carry && question.piercings.is_some()) {

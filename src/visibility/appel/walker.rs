@@ -1,15 +1,14 @@
 //! One worker: walks line after line and reuses its memory.
 
 use super::count::FromVertex;
-use super::culling::Covered;
 use super::events::Event;
-use super::{AppelOptions, Fault, culling};
+use super::{AppelOptions, Fault, left_out};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
 use crate::spatial::{Bounds, Crossings, Hierarchy, Nearby, SegmentProbe};
-use crate::view::{ExactPiece, LineQuestion};
+use crate::view::{Covered, ExactPiece, LineQuestion};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
 /// when it is moved infinitesimally to its left or right in the image.
@@ -163,11 +162,11 @@ impl<'q, P: Policy> Walker<'q, P> {
     /// Whether a line is not wanted or known to be hidden all along: at the back
     /// of a convex part, or behind what is certainly covered.
     pub(super) fn is_left_out(&mut self, line: &FeatureLine) -> bool {
-        if culling::is_outside(self.question, line) {
+        if left_out::is_outside(self.question, line) {
             self.lines_outside += 1;
             return true;
         }
-        if self.knows_convex && culling::is_at_back(self.question, line) {
+        if self.knows_convex && left_out::is_at_back(self.question, line) {
             self.lines_at_back += 1;
             return true;
         }
@@ -189,6 +188,10 @@ impl<'q, P: Policy> Walker<'q, P> {
     pub(super) fn walk(&mut self, line: &FeatureLine) {
         self.pieces.clear();
         if let Some(walk) = self.begin(line) {
+            if self.leaves_early && self.fault.is_none() && self.one_triangle_hides(&walk) {
+                self.left_early += 1;
+                return;
+            }
             let first = self.first_count(&walk);
             self.find_events(&walk);
             self.finish(&walk, first);
