@@ -57,7 +57,7 @@ const PART_BITS: u32 = 18;
 
 /// One side of one triangle, in one word: the larger vertex, the smaller one
 /// within its range, the triangle within its part.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct HalfEdge(u64);
 
 impl HalfEdge {
@@ -86,14 +86,15 @@ impl HalfEdge {
 
 /// The half-edges of one part of the triangles, ordered by range.
 struct Dealt {
-    half_edges: Vec<HalfEdge>,
+    /// As words: memory for these comes as zeros.
+    half_edges: Vec<u64>,
     ends: Vec<u32>,
 }
 
 impl Dealt {
-    fn range(&self, range: usize) -> &[HalfEdge] {
+    fn range(&self, range: usize) -> impl ExactSizeIterator<Item = HalfEdge> + Clone + '_ {
         let start = if range == 0 { 0 } else { self.ends[range - 1] as usize };
-        &self.half_edges[start..self.ends[range] as usize]
+        self.half_edges[start..self.ends[range] as usize].iter().map(|&word| HalfEdge(word))
     }
 }
 
@@ -117,11 +118,11 @@ fn deal(triangles: &[[u32; 3]], part: std::ops::Range<usize>, ranges: usize) -> 
         [[a, b], [b, c], [c, a]].into_iter().for_each(|[x, y]| ends[range(x, y)] += 1);
     }
     let mut next = places(&mut ends);
-    let mut half_edges = vec![HalfEdge::default(); 3 * part.len()];
+    let mut half_edges = vec![0; 3 * part.len()];
     for (triangle, &[a, b, c]) in triangles[part].iter().enumerate() {
         for [x, y] in [[a, b], [b, c], [c, a]] {
             let slot = &mut next[range(x, y)];
-            half_edges[*slot as usize] = HalfEdge::new(x, y, triangle);
+            half_edges[*slot as usize] = HalfEdge::new(x, y, triangle).0;
             *slot += 1;
         }
     }
@@ -144,6 +145,8 @@ pub(super) fn edges_of(triangles: &[[u32; 3]], vertices: usize) -> Edges {
         let half_edges = parts.iter().map(|part| part.range(range)).collect::<Vec<_>>();
         edges_of_range(&half_edges, (range as u32) << RANGE_BITS, before as u32, incident)
     });
+    // Its memory is of use for the lists below.
+    drop(parts);
     let ends: Vec<&[[u32; 2]]> = found.iter().map(|edges| &edges.ends[..]).collect();
     let incident_ends: Vec<&[u32]> = found.iter().map(|edges| &edges.incident[..]).collect();
     Edges {
@@ -157,31 +160,37 @@ pub(super) fn edges_of(triangles: &[[u32; 3]], vertices: usize) -> Edges {
 /// without their triangles, which go to `triangles`, behind `before` others.
 /// `half_edges` are those of each part.
 fn edges_of_range(
-    half_edges: &[&[HalfEdge]],
+    half_edges: &[impl Iterator<Item = HalfEdge> + Clone],
     first: u32,
     before: u32,
     triangles: &mut [u32],
 ) -> Edges {
     let mut ends = [0_u32; 1 << RANGE_BITS];
-    half_edges.iter().copied().flatten().for_each(|half_edge| ends[half_edge.low()] += 1);
+    half_edges.iter().cloned().flatten().for_each(|half_edge| ends[half_edge.low()] += 1);
     let mut next = places(&mut ends);
     // The larger vertex and the triangle, in one word for the sake of sorting.
     let mut spokes = vec![0_u64; triangles.len()];
     for (part, half_edges) in half_edges.iter().enumerate() {
-        for half_edge in *half_edges {
+        for half_edge in half_edges.clone() {
             let triangle = (part as u32) << PART_BITS | half_edge.triangle();
             let slot = &mut next[half_edge.low()];
             spokes[*slot as usize] = u64::from(half_edge.high()) << 32 | u64::from(triangle);
             *slot += 1;
         }
     }
-    let mut edges = Edges::default();
-    edges.ends.reserve(spokes.len());
-    edges.incident.reserve(spokes.len());
-    let mut start = 0;
-    for (low, &end) in (first..).zip(&ends) {
+    let (mut start, mut count) = (0, 0);
+    for &end in &ends {
         let around = &mut spokes[start as usize..end as usize];
         around.sort_unstable();
+        count += around.chunk_by(|a, b| a >> 32 == b >> 32).count();
+        start = end;
+    }
+    let mut edges = Edges::default();
+    edges.ends.reserve_exact(count);
+    edges.incident.reserve_exact(count);
+    start = 0;
+    for (low, &end) in (first..).zip(&ends) {
+        let around = &spokes[start as usize..end as usize];
         for (i, spoke) in around.iter().enumerate() {
             let place = start + i as u32;
             let high = (spoke >> 32) as u32;

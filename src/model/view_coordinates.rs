@@ -6,7 +6,7 @@
 //! few units in the last place of the largest term.
 
 use super::{Frame, Projection};
-use crate::run::{fill_indexed, map_chunks};
+use crate::run::{map_chunks, map_small};
 use crate::spatial::{Bounds, Placed, Rounding, SegmentProbe};
 use glam::{DVec2, DVec3, Vec3A};
 
@@ -62,8 +62,7 @@ pub struct ViewCoordinates {
 impl ViewCoordinates {
     /// Computes them. O(n).
     pub fn new(frame: &Frame, vertices: &[DVec3]) -> Self {
-        let mut points = vec![DVec3::ZERO; vertices.len()];
-        fill_indexed(&mut points, |i| frame.coordinates(vertices[i]));
+        let points = map_small(vertices.len(), |i| frame.coordinates(vertices[i]));
         let farthest = map_chunks(vertices.len(), 1 << 16, |part| {
             vertices[part]
                 .iter()
@@ -234,8 +233,7 @@ impl ViewCoordinates {
 
     /// The boxes of all vertices, for many questions. O(n).
     pub fn vertex_boxes(&self) -> VertexBoxes<'_> {
-        let mut boxes = vec![Bounds::EMPTY; self.points.len()];
-        fill_indexed(&mut boxes, |vertex| {
+        let boxes = map_small(self.points.len(), |vertex| {
             let interval = self.interval(vertex as u32);
             interval.map_or(Bounds::EMPTY, |(low, high)| self.rounding.around(low, high))
         });

@@ -67,11 +67,11 @@ impl BitRange {
     }
 }
 
-/// `value / 2^unit`, exact because the result is a representable integer.
-fn divide_by_unit(value: f64, unit: i32) -> f64 {
-    // One power of two may be out of range; two halves never are.
+/// `2^-unit` as two factors: one power of two may be out of range; two halves
+/// never are.
+fn reciprocal_of_unit(unit: i32) -> [f64; 2] {
     let half = -unit / 2;
-    value * f64::powi(2.0, half) * f64::powi(2.0, -unit - half)
+    [half, -unit - half].map(|exponent| f64::powi(2.0, exponent))
 }
 
 /// `distance * |forward|` as a float times a power of two: forward is
@@ -81,7 +81,8 @@ fn near_offset(plane: NearPlane, forward_above: i32) -> (f64, i64) {
         return (0.0, 0);
     }
     let exponent = forward_above - 1;
-    let forward = plane.forward.to_array().map(|x| divide_by_unit(x, exponent));
+    let [one, other] = reciprocal_of_unit(exponent);
+    let forward = plane.forward.to_array().map(|x| x * one * other);
     (plane.distance * DVec3::from(forward).length(), i64::from(exponent))
 }
 
@@ -162,14 +163,14 @@ impl Points {
         let narrow = spread <= NARROW;
         // Adding zero makes one zero of the two, so that order by
         // coordinates agrees with equality.
-        let shift = |value: f64, unit: i32| {
-            if narrow { divide_by_unit(value, unit) + 0.0 } else { value + 0.0 }
-        };
-        let shift3 = |v: DVec3, unit: i32| v.to_array().map(|x| shift(x, unit));
+        let by = |unit: i32| if narrow { reciprocal_of_unit(unit) } else { [1.0; 2] };
+        let times = |v: DVec3, [one, other]: [f64; 2]| v.to_array().map(|x| x * one * other + 0.0);
+        let shift3 = |v: DVec3, unit: i32| times(v, by(unit));
         let kept_unit = |unit: i32| if narrow { 0 } else { unit };
 
         let mut scaled = vec![[0.0; 3]; vertices.len()];
-        fill_indexed(&mut scaled, |i| shift3(vertices[i], points.unit()));
+        let factors = by(points.unit());
+        fill_indexed(&mut scaled, |i| times(vertices[i], factors));
         let eye_range = if eye.is_perspective() { points } else { directions };
         Points {
             vertices: scaled,

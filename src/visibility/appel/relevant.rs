@@ -8,7 +8,7 @@
 //! anything that is asked about.
 
 use crate::model::{FeatureLine, LineOrigin};
-use crate::run::{fill_indexed, map_chunks};
+use crate::run::{map_chunks, map_small};
 use crate::spatial::{Bounds, Hierarchy};
 use crate::view::LineQuestion;
 use glam::Vec3A;
@@ -40,8 +40,8 @@ pub(super) fn triangles<'q>(question: &'q LineQuestion<'_>) -> Cow<'q, Hierarchy
     let Some(cells) = Cells::of(question) else {
         return Cow::Borrowed(question.hierarchy());
     };
-    let mut blocks = vec![Block::default(); question.mesh.vertices().len()];
-    fill_indexed(&mut blocks, |vertex| Block::of(&question.coordinates.bounds([vertex as u32])));
+    let block = |vertex: usize| Block::of(&question.coordinates.bounds([vertex as u32]));
+    let blocks = map_small(question.mesh.vertices().len(), block);
     let parts = map_chunks(triangles.len(), PART, |part| {
         let touching = |&triangle: &usize| {
             let [a, b, c] = triangles[triangle].map(|corner| blocks[corner as usize]);
