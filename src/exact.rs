@@ -1,12 +1,11 @@
 //! Every method with exact decisions, under its own name and without a
 //! policy: what programs call.
 //!
-//! The methods of [`view`](crate::view), [`visibility`](crate::visibility),
-//! [`raster`](crate::raster) and [`verify`](crate::verify) are generic over
-//! how decisions are made, so that one formula serves the product, the
-//! filter alone and plain floats, and one can be measured against the other.
-//! Whoever calls a generic function compiles it, with all that it calls. The
-//! functions here are compiled once, in the library.
+//! The methods of all rooms are generic over how decisions are made, so that
+//! one formula serves the product, the filter alone and plain floats, and one
+//! can be measured against the other. Whoever calls a generic function
+//! compiles it, with all that it calls. The functions here are compiled once,
+//! in the library.
 
 use crate::kernel::predicates::Exact;
 use crate::model::{FeatureOptions, Mesh, View};

@@ -5,13 +5,13 @@ use glam::{DVec2, DVec3};
 use umriss::drawing::{Content, Drawing, DrawingOptions, Styles, SurfaceOptions};
 use umriss::export::{SvgOptions, read_drawing_with_notes, to_hpgl, to_json_with_notes, to_svg};
 use umriss::kernel::predicates::{Exact, Thorough};
-use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup};
+use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
 use umriss::verify::{
     PaintVerifyOptions, RegionVerifyOptions, VerifyOptions, verify, verify_painting, verify_regions,
 };
-use umriss::view::{ImageRegions, PreparedView};
+use umriss::view::{Culling, ExactLines, ImageRegions, ObjectWish, PreparedView, Skips};
 use umriss::visibility::{AppelOptions, appel, reduce};
 
 /// Triangles beyond this number would be slow, not telling.
@@ -111,6 +111,10 @@ pub(crate) fn visibility(bytes: &[u8]) {
     let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, &run).expect("not cancelled");
     let question = prepared.question(true);
     let answer = appel::<Exact>(&question, &AppelOptions::default(), &run).expect("not cancelled");
+    let visible = visible_alone(&mesh, &view, options, &run);
+    let pieces = (0..answer.len()).flat_map(|line| answer.line(line));
+    let shown = pieces.filter(|piece| piece.invisibility == 0);
+    assert!(shown.eq((0..visible.len()).flat_map(|line| visible.line(line))), "culled otherwise");
     let options = VerifyOptions { image_size: 16, ..VerifyOptions::default() };
     let lines = verify::<Exact>(&view, &question, &answer, &options, &run).expect("a report");
     assert!(lines.is_clean(), "{lines}");
@@ -121,6 +125,16 @@ pub(crate) fn visibility(bytes: &[u8]) {
     let options = PaintVerifyOptions { image_size: 16, ..PaintVerifyOptions::default() };
     let painting = verify_painting::<Exact>(&view, &question, &options, &run).expect("a report");
     assert!(painting.is_clean(), "{painting}");
+}
+
+/// The visible pieces, with everything left out that may be.
+fn visible_alone(mesh: &Mesh, view: &View, features: FeatureOptions, run: &Run) -> ExactLines {
+    let wishes = vec![ObjectWish { features, see_through: false }; mesh.objects().len()];
+    let skips = Skips { culling: Culling::Always, ..Skips::default() };
+    let prepared = PreparedView::for_visible_lines::<Exact>(mesh, view, &wishes, &skips, run)
+        .expect("not cancelled");
+    let options = AppelOptions { skips, ..AppelOptions::default() };
+    appel::<Exact>(&prepared.question(false), &options, run).expect("not cancelled")
 }
 
 /// Triangles with any numbers as coordinates: all steps of the ladder that are

@@ -38,8 +38,7 @@ pub trait Ring:
     /// The number `value / 2^unit`, which is an integer.
     fn read(value: f64, unit: i32) -> Self;
 
-    /// Whether pieces of formulas are written out where they are used: see
-    /// [`piece!`](crate::kernel::numbers::piece).
+    /// Whether pieces of formulas are written out where they are used.
     const IN_PLACE: bool;
 
     /// Does work in a function of its own.
