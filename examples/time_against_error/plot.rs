@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 const SIZE: [f64; 2] = [760.0, 470.0];
 /// Left, top, right and bottom of the plot.
-const PLOT: [f64; 4] = [78.0, 20.0, 560.0, 400.0];
+const PLOT: [f64; 4] = [98.0, 20.0, 560.0, 400.0];
 /// Powers of ten of the axes: ratios of times, shares in percent. Below the
 /// least share is none.
 const TIMES: [i32; 2] = [-1, 3];
