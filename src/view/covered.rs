@@ -16,7 +16,7 @@
 
 use super::{Culling, LineQuestion};
 use crate::model::{FeatureLine, LineOrigin};
-use crate::run::{Cancelled, Run, fill_indexed, map_chunks, map_small, sample};
+use crate::run::{Cancelled, Run, map_chunks, map_small, sample};
 use crate::spatial::{Grid, OcclusionMap, Placed, cover};
 use glam::DVec2;
 use std::ops::Range;
@@ -69,10 +69,8 @@ impl Covered {
         let map = map_of(question, grid, run);
         run.give_back(rows as u64);
         run.check()?;
-        let mut covered = Covered { map, triangles: vec![false; triangles] };
-        let mut found = vec![false; triangles];
-        fill_indexed(&mut found, |triangle| covered.hides_triangle(question, triangle));
-        covered.triangles = found;
+        let mut covered = Covered { map, triangles: Vec::new() };
+        covered.triangles = map_small(triangles, |it| covered.hides_triangle(question, it));
         let count = covered.triangles.iter().filter(|&&it| it).count();
         run.count("triangles-covered", count as u64);
         Ok(Some(covered))
