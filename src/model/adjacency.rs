@@ -6,7 +6,7 @@
 //! independent and run in parallel; edges come out ordered by their
 //! vertices, whatever the order of the triangles. O(n).
 
-use crate::run::{concat_map, map_chunks, map_parts};
+use crate::run::{join_lists, map_chunks, map_parts};
 
 /// All edges of a mesh, each with its incident triangles.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -147,11 +147,10 @@ pub(super) fn edges_of(triangles: &[[u32; 3]], vertices: usize) -> Edges {
     });
     // Its memory is of use for the lists below.
     drop(parts);
-    let ends: Vec<&[[u32; 2]]> = found.iter().map(|edges| &edges.ends[..]).collect();
-    let incident_ends: Vec<&[u32]> = found.iter().map(|edges| &edges.incident[..]).collect();
+    let (ends, incident_ends) = found.into_iter().map(|edges| (edges.ends, edges.incident)).unzip();
     Edges {
-        ends: concat_map(&ends, |_, ends| *ends),
-        incident: concat_map(&incident_ends, |_, end| *end),
+        ends: join_lists(ends, |_, ends| *ends),
+        incident: join_lists(incident_ends, |_, end| *end),
         triangles: incident,
     }
 }

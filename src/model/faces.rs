@@ -9,7 +9,7 @@ use super::Soup;
 use super::mesh::MeshReport;
 use crate::kernel::predicates::are_collinear;
 use crate::polygon::{TriangulationError, triangulate};
-use crate::run::{map_chunks, map_indexed};
+use crate::run::{map_chunks, map_small};
 use glam::DVec3;
 use rustc_hash::FxHashSet;
 
@@ -69,7 +69,7 @@ fn plain_triangles(
         let list = soup.faces.as_triangles().unwrap_or(&[]);
         let corner = |i: usize| new_of_old[(first + list[i]) as usize];
         let all: Vec<[u32; 3]> =
-            map_indexed(list.len() / 3, |i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]);
+            map_small(list.len() / 3, |i| [corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)]);
         let flat = map_chunks(all.len(), PART, |part| {
             part.filter(|&i| is_flat(all[i], vertices)).collect::<Vec<_>>()
         });

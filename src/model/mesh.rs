@@ -9,7 +9,7 @@ use super::adjacency::edges_of;
 use super::faces::{Triangles, triangles_of};
 use super::weld::{merge_close, weld};
 use super::{Color, Edges, Soup};
-use crate::run::{Cancelled, Run, map_chunks, map_indexed};
+use crate::run::{Cancelled, Run, map_chunks, map_small};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -111,9 +111,8 @@ impl Mesh {
         let welded = weld(&positions, &first_vertex);
         run.check()?;
         report.welded_vertices = positions.len() - welded.first_old.len();
-        let mut vertices = vec![DVec3::ZERO; welded.first_old.len()];
         // Adding 0 turns -0 into 0, so that equal positions have equal bits.
-        crate::run::fill_indexed(&mut vertices, |i| {
+        let vertices = map_small(welded.first_old.len(), |i| {
             positions[welded.first_old[i] as usize] + DVec3::ZERO
         });
         drop(positions);
@@ -387,7 +386,7 @@ fn take_positions(
 
 /// The file's number of each new vertex.
 fn file_numbers(soups: &[Soup], first_vertex: &[u32], first_old: &[u32]) -> Vec<u32> {
-    map_indexed(first_old.len(), |new| {
+    map_small(first_old.len(), |new| {
         let old = first_old[new];
         let soup = first_vertex.partition_point(|&first| first <= old) - 1;
         let index = old - first_vertex[soup];

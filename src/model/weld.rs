@@ -10,7 +10,7 @@
 //! so it is done only on request, greedily in file order, before anything
 //! else.
 
-use crate::run::{map_chunks, map_indexed};
+use crate::run::{map_chunks, map_indexed, map_small};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -102,7 +102,7 @@ pub(super) fn weld(positions: &[DVec3], starts: &[u32]) -> Welded {
     let bits = (count / BUCKET).max(1).next_power_of_two().trailing_zeros().min(16);
     let shift = 64 - bits;
     let parts = map_chunks(count, PART, |part| deal(positions, starts, part, shift));
-    let firsts: Vec<AtomicU32> = map_indexed(count, |_| AtomicU32::new(0));
+    let firsts: Vec<AtomicU32> = map_small(count, |_| AtomicU32::new(0));
     map_indexed(1 << bits, |bucket| {
         let vertices = || parts.iter().flat_map(|part| part.bucket(bucket).iter().copied());
         weld_bucket(positions, starts, vertices, &firsts);
@@ -143,7 +143,7 @@ fn weld_bucket<I: Iterator<Item = u32>>(
 
 /// Turns first vertices into numbers in order of appearance.
 fn number(mut firsts: Vec<u32>) -> Welded {
-    let mut first_old = Vec::new();
+    let mut first_old = Vec::with_capacity(firsts.len());
     for vertex in 0..firsts.len() {
         let first = firsts[vertex] as usize;
         // A first vertex comes before all its equals, so its new number is

@@ -14,7 +14,7 @@ mod sample;
 pub use counters::{Counters, StageTime};
 pub use limits::{Cancelled, Growing, Limits};
 pub use parallel::{
-    concat_map, fill_indexed, map_chunks, map_indexed, map_parts, map_small, sort_by,
+    concat_map, fill_indexed, join_lists, map_chunks, map_indexed, map_parts, map_small, sort_by,
 };
 pub use progress::{Progress, Run, Silent};
 pub use sample::sample;

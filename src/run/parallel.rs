@@ -87,6 +87,16 @@ pub fn concat_map<S: Sync, T: Send>(
     all
 }
 
+/// Joins lists as [`concat_map`] and gives their memory back, for what is
+/// joined next.
+pub fn join_lists<S: Sync, T: Send>(
+    lists: Vec<Vec<S>>,
+    work: impl Fn(usize, &S) -> T + Sync + Send,
+) -> Vec<T> {
+    let lists_of: Vec<&[S]> = lists.iter().map(|list| &list[..]).collect();
+    concat_map(&lists_of, work)
+}
+
 /// The results of work that remembers where it was.
 #[cfg(feature = "parallel")]
 fn scheduled_with_place<T: Send>(

@@ -21,7 +21,7 @@ use glam::DVec3;
 use super::super::{Faces, Soup};
 use super::error::{Fault, Read};
 use super::{Found, stl_text};
-use crate::run::{Run, concat_map, map_chunks};
+use crate::run::{Run, join_lists, map_chunks};
 
 /// Bytes before the first facet.
 pub(super) const HEADER: usize = 84;
@@ -173,12 +173,15 @@ fn soup_of(facets: &Facets<'_>, run: &Run<'_>) -> io::Result<Read<Soup>> {
         offsets.push(sum);
         sum += part.vertices.len() as u32;
     }
-    let vertices: Vec<&[DVec3]> = parts.iter().map(|part| &part.vertices[..]).collect();
-    let numbers: Vec<&[u32]> = parts.iter().map(|part| &part.numbers[..]).collect();
-    let corners: Vec<&[u32]> = parts.iter().map(|part| &part.corners[..]).collect();
-    let vertices = concat_map(&vertices, |_, vertex| *vertex);
-    let numbers = concat_map(&numbers, |_, number| *number);
-    let faces = Faces::from_triangles(concat_map(&corners, |part, corner| corner + offsets[part]));
+    let (mut vertices, mut numbers, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+    for part in parts {
+        vertices.push(part.vertices);
+        numbers.push(part.numbers);
+        corners.push(part.corners);
+    }
+    let vertices = join_lists(vertices, |_, vertex| *vertex);
+    let numbers = join_lists(numbers, |_, number| *number);
+    let faces = Faces::from_triangles(join_lists(corners, |part, corner| corner + offsets[part]));
     Ok(Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() }))
 }
 
