@@ -177,31 +177,28 @@ fn edges_of_range(
             *slot += 1;
         }
     }
+    let same_edge = |a: &u64, b: &u64| a >> 32 == b >> 32;
     let (mut start, mut count) = (0, 0);
     for &end in &ends {
-        let around = &mut spokes[start as usize..end as usize];
+        let around = &mut spokes[start..end as usize];
         around.sort_unstable();
-        count += around.chunk_by(|a, b| a >> 32 == b >> 32).count();
-        start = end;
+        count += around.chunk_by(same_edge).count();
+        start = end as usize;
     }
     let mut edges = Edges::default();
     edges.ends.reserve_exact(count);
     edges.incident.reserve_exact(count);
-    start = 0;
+    let (mut start, mut place) = (0, 0);
     for (low, &end) in (first..).zip(&ends) {
-        let around = &spokes[start as usize..end as usize];
-        for (i, spoke) in around.iter().enumerate() {
-            let place = start + i as u32;
-            let high = (spoke >> 32) as u32;
-            triangles[place as usize] = *spoke as u32;
-            if i > 0 && edges.ends.last() == Some(&[low, high]) {
-                edges.incident.pop();
-            } else {
-                edges.ends.push([low, high]);
+        for edge in spokes[start..end as usize].chunk_by(same_edge) {
+            edges.ends.push([low, (edge[0] >> 32) as u32]);
+            for spoke in edge {
+                triangles[place] = *spoke as u32;
+                place += 1;
             }
-            edges.incident.push(before + place + 1);
+            edges.incident.push(before + place as u32);
         }
-        start = end;
+        start = end as usize;
     }
     edges
 }

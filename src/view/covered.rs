@@ -69,11 +69,9 @@ impl Covered {
         let map = map_of(question, grid, run);
         run.give_back(rows as u64);
         run.check()?;
-        let mut covered = Covered { map, triangles: Vec::new() };
-        covered.triangles = map_small(triangles, |it| covered.hides_triangle(question, it));
-        let count = covered.triangles.iter().filter(|&&it| it).count();
-        run.count("triangles-covered", count as u64);
-        Ok(Some(covered))
+        let triangles = map_small(triangles, |it| hides_triangle(&map, question, it));
+        run.count("triangles-covered", triangles.iter().filter(|&&it| it).count() as u64);
+        Ok(Some(Covered { map, triangles }))
     }
 
     /// Whether each triangle lies wholly behind covered tiles.
@@ -112,21 +110,6 @@ impl Covered {
         parts.concat()
     }
 
-    fn hides_triangle(&self, question: &LineQuestion<'_>, triangle: usize) -> bool {
-        let [a, b, c] = question.mesh.triangles()[triangle];
-        let placed = |vertex| question.coordinates.placed(vertex);
-        // One corner spares most triangles that show a look at the others.
-        let Some(first) = placed(a).filter(|&first| self.map.hides_segment([first, first])) else {
-            return false;
-        };
-        match [placed(b), placed(c)] {
-            [Some(second), Some(third)] => {
-                self.map.hides_between([first, second, third].into_iter())
-            }
-            _ => false,
-        }
-    }
-
     fn hides_segment(&self, question: &LineQuestion<'_>, ends: [u32; 2]) -> bool {
         match ends.map(|vertex| question.coordinates.placed(vertex)) {
             [Some(a), Some(b)] => self.map.hides_segment([a, b]),
@@ -140,6 +123,20 @@ impl Covered {
             [Some(s), Some(t)] => self.map.hides_common(&s, &t),
             _ => false,
         }
+    }
+}
+
+/// Whether a triangle lies wholly behind covered tiles.
+fn hides_triangle(map: &OcclusionMap, question: &LineQuestion<'_>, triangle: usize) -> bool {
+    let [a, b, c] = question.mesh.triangles()[triangle];
+    let placed = |vertex| question.coordinates.placed(vertex);
+    // One corner spares most triangles that show a look at the others.
+    let Some(first) = placed(a).filter(|&first| map.hides_segment([first, first])) else {
+        return false;
+    };
+    match [placed(b), placed(c)] {
+        [Some(second), Some(third)] => map.hides_between([first, second, third].into_iter()),
+        _ => false,
     }
 }
 

@@ -91,34 +91,31 @@ impl<const N: usize> SmallInteger<N> {
             }
         }
         // The words of a product modulo 2^(64 N) do not depend on signs.
+        SmallInteger { words: other.times_words(&self.words) }
+    }
+
+    /// The words of the product with a number of at most as many words, modulo
+    /// 2^(64 N), as if neither had a sign.
+    #[inline(always)]
+    fn times_words(&self, factor: &[u64]) -> [u64; N] {
         let mut words = [0; N];
-        for i in 0..N {
+        for (i, word) in factor.iter().enumerate() {
             let mut carry = 0_u64;
             for j in 0..N - i {
-                let wide = u128::from(self.words[i]) * u128::from(other.words[j])
+                let wide = u128::from(*word) * u128::from(self.words[j])
                     + u128::from(words[i + j])
                     + u128::from(carry);
                 words[i + j] = wide as u64;
                 carry = (wide >> 64) as u64;
             }
         }
-        SmallInteger { words }
+        words
     }
 
     /// `self * short` for a number that two words hold.
     #[inline(always)]
     fn times_short(self, short: Self) -> Self {
-        let mut words = [0; N];
-        for i in 0..2 {
-            let mut carry = 0_u64;
-            for j in 0..N - i {
-                let wide = u128::from(short.words[i]) * u128::from(self.words[j])
-                    + u128::from(words[i + j])
-                    + u128::from(carry);
-                words[i + j] = wide as u64;
-                carry = (wide >> 64) as u64;
-            }
-        }
+        let words = self.times_words(&short.words[..2]);
         // The sign of the short number counts for all words left out.
         let mask = if short.is_negative() { u64::MAX } else { 0 };
         let mut shifted = [0; N];

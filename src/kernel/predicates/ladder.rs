@@ -164,39 +164,43 @@ impl Policy for Audited {
     }
 }
 
-/// The steps behind the filter: the narrowest integers that hold the value.
+/// What `$done` makes of the value of a formula in the narrowest integers of
+/// fixed width that hold it; nothing if none does.
+macro_rules! in_narrowest {
+    ($formula:expr, $points:expr, |$value:ident| $done:expr) => {
+        in_narrowest!($formula, $points, |$value| $done,
+            191 => SmallInteger<3>, 383 => SmallInteger<6>,
+            768 => FixedInteger<12>, 1792 => FixedInteger<28>)
+    };
+    ($formula:expr, $points:expr, |$value:ident| $done:expr, $($most:literal => $integer:ty),*) => {
+        match $formula.bits($points.spread()) {
+            _ if !$points.is_narrow() => None,
+            $(0..=$most => {
+                let $value = $formula.evaluate::<$integer>($points);
+                Some($done)
+            })*
+            _ => None,
+        }
+    };
+}
+
+/// The steps behind the filter.
 #[cold]
 #[inline(never)]
 fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
     let name = F::PREDICATE as usize;
     tally.failures[name].set(tally.failures[name].get() + 1);
-    let bits = formula.bits(points.spread());
-    if points.is_narrow() {
-        match bits {
-            0..=191 => return formula.evaluate::<SmallInteger<3>>(points).sign(),
-            192..=383 => return formula.evaluate::<SmallInteger<6>>(points).sign(),
-            384..=768 => return formula.evaluate::<FixedInteger<12>>(points).sign(),
-            769..=1792 => return formula.evaluate::<FixedInteger<28>>(points).sign(),
-            _ => {}
-        }
-    }
-    tally.big[name].set(tally.big[name].get() + 1);
-    formula.evaluate::<BigInteger>(points).sign()
+    in_narrowest!(formula, points, |value| value.sign()).unwrap_or_else(|| {
+        tally.big[name].set(tally.big[name].get() + 1);
+        formula.evaluate::<BigInteger>(points).sign()
+    })
 }
 
-/// The value of `formula`, from the narrowest integers that hold it.
+/// The value of `formula`.
 #[inline(never)]
 fn exact_value<F: Formula>(points: &Points, formula: &F) -> BigInteger {
-    if points.is_narrow() {
-        match formula.bits(points.spread()) {
-            0..=191 => return formula.evaluate::<SmallInteger<3>>(points).to_big(),
-            192..=383 => return formula.evaluate::<SmallInteger<6>>(points).to_big(),
-            384..=768 => return formula.evaluate::<FixedInteger<12>>(points).to_big(),
-            769..=1792 => return formula.evaluate::<FixedInteger<28>>(points).to_big(),
-            _ => {}
-        }
-    }
-    formula.evaluate::<BigInteger>(points)
+    in_narrowest!(formula, points, |value| value.to_big())
+        .unwrap_or_else(|| formula.evaluate(points))
 }
 
 /// A view's points under a policy: what algorithms ask. One per worker,
