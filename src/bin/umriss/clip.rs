@@ -18,14 +18,16 @@ Examples:
   umriss clip drawing.svg --op union --flatness 0.001mm -o outlines.svg
   umriss clip a.svg b.svg c.svg --op union -o - --format geojson
 
-What is inside of rings that cross themselves or one another: in GeoJSON what is inside of the first \
-ring of a polygon by even-odd, so an odd number of times, and of none of its holes; polygons may \
-overlap. In SVG what the shape's own fill-rule says, nonzero unless the file says evenodd. --fill \
-gives all rings of all files one rule.
+What is inside of rings that cross themselves or one another:
+  In GeoJSON what is inside of the first ring of a polygon, and of none of its holes, each by
+  even-odd: so an odd number of times. Polygons may overlap.
+  In SVG what the shape's own fill-rule says, nonzero unless the file says evenodd.
+  --fill gives all rings one rule.
 
-SVG is read as it is displayed: what is filled, within clip paths and the page; paths, rectangles, \
-circles, ellipses, polygons, use, symbols, transforms, style sheets. Places become millimetres from \
-the page's corner, y down. Without width and height of <svg> its units are pixels, 96 to the inch.";
+SVG is read as it is displayed: what is filled, within clip paths and the page; paths, rectangles,
+circles, ellipses, polygons, use, symbols, transforms, style sheets. Places become millimetres from
+the upper left corner of the page, y down. Where <svg> has no width and height its units are
+pixels, 96 to the inch. What is passed over is told.";
 
 /// Combine polygons of GeoJSON and SVG files, exactly.
 ///
