@@ -167,6 +167,12 @@ fn shape_seeds_and_their_mutations() {
 
 #[cfg(all(feature = "json", feature = "svg"))]
 #[test]
+fn height_seeds_and_their_mutations() {
+    feed_all("heights", 200, targets::heights);
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
 fn visibility_seeds_and_their_mutations() {
     feed_all("visibility", 40, targets::visibility);
 }

@@ -8,6 +8,8 @@ use umriss::export::{
     to_svg,
 };
 use umriss::kernel::predicates::{Exact, Thorough};
+use umriss::model::import::{HeightFormat, read_heights_bytes};
+use umriss::model::surface::{CurveOptions, SurfaceWithHoles};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
@@ -101,6 +103,24 @@ pub(crate) fn shapes(bytes: &[u8]) {
         let again = format.read(text.as_bytes()).expect("what was written can be read");
         let same = again.shape(None).and_then(|shape| shape.rounded()).expect("few corners");
         assert_eq!(same.polygons, rounded.polygons, "{text}");
+    }
+}
+
+/// Any bytes as a grid of heights: refused with a place, or a sound grid, and a
+/// sound model of it, whatever is missing.
+pub(crate) fn heights(bytes: &[u8]) {
+    for format in [None, Some(HeightFormat::Csv), Some(HeightFormat::Esri)] {
+        let Ok(found) = read_heights_bytes("seed", bytes, format) else { continue };
+        let heights = found.heights;
+        assert_eq!(heights.values().len(), heights.xs().len() * heights.zs().len());
+        assert!(heights.xs().is_sorted() && heights.zs().is_sorted());
+        if let Some((factor, latitude)) = heights.z_factor_of_degrees() {
+            assert!(factor > 0.0 && latitude.abs() <= 90.0, "{factor} {latitude}");
+        }
+        let Ok(surface) = SurfaceWithHoles::new(heights, None) else { continue };
+        let (soup, _) = surface.soups("seed", &CurveOptions::default());
+        assert!(soup.vertices.iter().all(|vertex| vertex.is_finite()));
+        assert!(Mesh::new(vec![soup], None).is_ok());
     }
 }
 

@@ -103,13 +103,21 @@ fn an_svg_is_read_as_it_is_displayed_and_what_changes_is_told() {
         "umriss: invalid value '0mm' for '--flatness <L>': expected a length of more than 0\n\n\
          For more information, try '--help'.\n",
     );
-    folder.write_bytes("packed.svgz", b"\x1f\x8b\x08");
+    folder.write_bytes("packed.svg", b"\x1f\x8b\x08");
     folder.fails(
         1,
-        "clip packed.svgz --op union -o out.svg",
-        "umriss: packed.svgz:1: the file is compressed (svgz), expected the SVG itself, as gunzip \
+        "clip packed.svg --op union -o out.svg",
+        "umriss: packed.svg:1: the file is compressed (svgz), expected the SVG itself, as gunzip \
          writes it\n",
     );
+    for command in ["clip a.svgz --op union -o out.svg", "clip all.svg --op union -o a.svgz"] {
+        folder.fails(
+            2,
+            command,
+            "umriss: a.svgz: compressed SVG is neither read nor written, expected svg, as gunzip \
+             makes it\n",
+        );
+    }
 }
 
 #[test]

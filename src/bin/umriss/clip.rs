@@ -181,6 +181,11 @@ fn format_of(
     if is_standard(file) {
         return given.ok_or_else(|| Failure::usage(format!("{prefix} - needs {flag}").trim()));
     }
+    if file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svgz")) {
+        let message =
+            "compressed SVG is neither read nor written, expected svg, as gunzip makes it";
+        return Err(Failure::usage(format!("{}: {message}", file.display())));
+    }
     match (ShapeFormat::from_path(file), given) {
         (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
         (Err(error), None) => Err(Failure::usage(format!("{}: {error}", file.display()))),

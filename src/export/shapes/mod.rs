@@ -77,8 +77,7 @@ impl ShapeFormat {
     pub fn from_name(name: &str) -> Result<Self, ExportError> {
         match name.to_ascii_lowercase().as_str() {
             "geojson" | "json" => Ok(ShapeFormat::GeoJson),
-            // Compressed files are refused when they are read, with advice.
-            "svg" | "svgz" => Ok(ShapeFormat::Svg),
+            "svg" => Ok(ShapeFormat::Svg),
             _ => Err(ExportError::ShapeFormat(name.to_owned())),
         }
     }

@@ -2,10 +2,12 @@
 //! displayed. They are kept as shapes, to be intersected exactly.
 
 use super::super::shape_file::{RegionId, ShapePart};
+use super::element::own_transform;
 use super::property::{Declared, Property};
 use super::source::{line, name, wrong};
 use super::style::{Style, reference};
-use super::walk::{MOST_NESTED, Step, Surroundings, Walker, own_transform};
+use super::surroundings::Surroundings;
+use super::walk::{MOST_NESTED, Step, Walker};
 use crate::export::ExportError;
 use glam::{DAffine2, DMat2, DVec2};
 use roxmltree::{Node, NodeId};
@@ -173,9 +175,9 @@ impl<'a, 'i> Walker<'_, 'a, 'i> {
             inner.clip = Some(self.file.add_clip(region, None));
         }
         let own = own_transform(clip_path, &declared, &inner.lengths(), DVec2::ZERO)?;
-        inner.to_page = inner.to_page * own;
+        inner.to_page *= own;
         if let (true, Some(size)) = (is_in_proportion(clip_path), size) {
-            inner.to_page = inner.to_page * size;
+            inner.to_page *= size;
             inner.viewport = [1.0; 2];
         }
         let bounds = std::mem::take(&mut self.bounds);

@@ -20,11 +20,14 @@
 mod basic_shapes;
 mod chords;
 mod clip_path;
+mod element;
+mod instances;
 mod length;
 mod path_data;
 mod property;
 mod source;
 mod style;
+mod surroundings;
 mod told;
 mod transform;
 mod viewport;
@@ -36,14 +39,16 @@ use super::{ShapeOptions, line_of};
 use crate::export::ExportError;
 use crate::polygon::clipping::FillRule;
 use chords::on_grid;
+use element::own_transform;
 use glam::{DAffine2, DMat2, DVec2, dvec2};
 use length::{Lengths, PIXEL};
 use property::{Declared, Property};
 use roxmltree::Node;
 use source::{Source, parse};
 use style::Style;
+use surroundings::Surroundings;
 use told::Told;
-use walk::{Rounding, Surroundings, Walker, own_transform};
+use walk::{Rounding, Walker};
 
 pub(super) use write::write;
 

@@ -15,7 +15,7 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 const XLINK: &str = "http://www.w3.org/1999/xlink";
 
 /// How many steps from element to element all selectors together may take.
-const PATIENCE: u64 = 1 << 28;
+const PATIENCE: u64 = 1 << 27;
 
 /// The most parts of one selector.
 const MOST_PARTS: usize = 64;

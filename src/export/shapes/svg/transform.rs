@@ -19,7 +19,7 @@ pub(super) fn transform(text: &str) -> Result<DAffine2, String> {
         let Some((list, after)) = after.split_once(')') else {
             return Err(format!("`{rest}` is not closed, expected )"));
         };
-        all = all * function(name.trim_matches(is_space), list).ok_or_else(|| unknown(rest))?;
+        all *= function(name.trim_matches(is_space), list).ok_or_else(|| unknown(rest))?;
         rest = after.trim_start_matches(|c| is_space(c) || c == ',');
     }
     Ok(all)

@@ -5,22 +5,19 @@
 //! the stack of a thread. Only clip paths within clip paths recurse, and
 //! these not deeper than [`MOST_NESTED`].
 
-use super::super::shape_file::{ClipId, ShapeFile, ShapePart};
+use super::super::shape_file::{ShapeFile, ShapePart};
 use super::basic_shapes;
 use super::chords::{Accuracy, Chords, MOST_POINTS};
 use super::clip_path::{Bounds, Clipped, KnownRegions};
-use super::length::Lengths;
+use super::element::{corner, is_for_us, own_transform};
 use super::property::{Declared, Property};
-use super::source::{Source, href, line, name, wrong};
-use super::style::{Style, is_opaque};
+use super::source::{Source, line, name, wrong};
+use super::style::{is_opaque, reference};
+use super::surroundings::Surroundings;
 use super::told::Told;
-use super::transform::transform;
-use super::viewport::{View, Viewport, fitted, view_box};
 use crate::export::ExportError;
-use crate::polygon::clipping::FillRule;
-use glam::{DAffine2, DVec2, dvec2};
+use glam::{DAffine2, DVec2};
 use roxmltree::{Node, NodeId};
-use svgtypes::TransformOrigin;
 
 /// The most elements that are drawn, those of instances counted each time.
 const MOST_ELEMENTS: usize = 1 << 22;
@@ -30,24 +27,6 @@ const MOST_LEVELS: usize = 1 << 17;
 
 /// The most instances, or clip paths, within one another.
 pub(super) const MOST_NESTED: usize = 64;
-
-/// What an element is told by those around it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Surroundings {
-    pub(super) style: Style,
-    /// From user units to the page.
-    pub(super) to_page: DAffine2,
-    /// The viewport's size, in user units.
-    pub(super) viewport: [f64; 2],
-    /// Outside of what nothing is displayed.
-    pub(super) clip: Option<ClipId>,
-    /// Whether this is a clip path, where fills and opacity do not matter.
-    pub(super) in_clip_path: bool,
-    /// Width and height that a `use` gives to what it shows.
-    size_of_use: [Option<f64>; 2],
-    /// Whether a `use` shows the element.
-    is_instance: bool,
-}
 
 /// What is still to be done.
 pub(super) enum Step<'a, 'i> {
@@ -81,31 +60,12 @@ pub(super) struct Walker<'s, 'a, 'i> {
     elements: usize,
     points: usize,
     /// The `use` elements around.
-    instances: Vec<Node<'a, 'i>>,
+    pub(super) instances: Vec<Node<'a, 'i>>,
     /// The clip paths around.
     pub(super) clip_paths: Vec<NodeId>,
     /// Elements around of which the size is wanted.
     pub(super) bounds: Vec<Bounds>,
     pub(super) known: KnownRegions,
-}
-
-impl Surroundings {
-    /// Those of the outermost element.
-    pub(super) fn of_page(viewport: Viewport) -> Self {
-        Surroundings {
-            style: Style::default(),
-            to_page: viewport.to_outside,
-            viewport: viewport.size,
-            clip: None,
-            in_clip_path: false,
-            size_of_use: [None; 2],
-            is_instance: false,
-        }
-    }
-
-    pub(super) fn lengths(&self) -> Lengths {
-        Lengths { viewport: self.viewport, font_size: self.style.font_size }
-    }
 }
 
 impl<'s, 'a, 'i> Walker<'s, 'a, 'i> {
@@ -212,7 +172,7 @@ impl<'s, 'a, 'i> Walker<'s, 'a, 'i> {
         if name == "use" {
             // Its place is a part of its transform: its clip path moves with it.
             let corner = corner(node, &declared, &inner.lengths())?;
-            inner.to_page = inner.to_page * DAffine2::from_translation(corner);
+            inner.to_page *= DAffine2::from_translation(corner);
         }
         if !self.clip(node, &declared, &mut inner, steps)? {
             return Ok(());
@@ -306,97 +266,6 @@ impl<'s, 'a, 'i> Walker<'s, 'a, 'i> {
         Ok(())
     }
 
-    /// What is within a window of its own, `svg` or `symbol`; nothing where
-    /// that has no size.
-    fn viewport(
-        &mut self,
-        node: Node<'a, 'i>,
-        declared: &Declared<'a>,
-        mut inner: Surroundings,
-        size_of_use: [Option<f64>; 2],
-    ) -> Result<Option<Surroundings>, ExportError> {
-        let lengths = inner.lengths();
-        let corner = corner(node, declared, &lengths)?;
-        let own = |property| length(node, declared, property, &lengths);
-        let size = dvec2(
-            size_of_use[0].or(own(Property::Width)?).unwrap_or(inner.viewport[0]),
-            size_of_use[1].or(own(Property::Height)?).unwrap_or(inner.viewport[1]),
-        );
-        if size.x <= 0.0 || size.y <= 0.0 {
-            return Ok(None);
-        }
-        let overflow = declared.get(Property::Overflow).unwrap_or("hidden");
-        if !matches!(overflow, "visible" | "auto") && size.is_finite() {
-            let corners = [DVec2::ZERO, size.with_y(0.0), size, size.with_x(0.0)];
-            let chords = self.outline(&inner, |chords| {
-                chords.move_to(corner)?;
-                corners[1..].iter().try_for_each(|&way| chords.line_to(corner + way))
-            });
-            let rings = chords.map_err(|message| wrong(node, message))?;
-            let part = ShapePart { polygons: vec![rings], rule: FillRule::NonZero, clip: None };
-            let region = self.file.add_region(vec![part]);
-            inner.clip = Some(self.file.add_clip(region, inner.clip));
-        }
-        match view_box(node)? {
-            View::Empty => return Ok(None),
-            View::Missing => {
-                inner.to_page = inner.to_page * DAffine2::from_translation(corner);
-                inner.viewport = size.to_array();
-            }
-            View::Of(_) if !size.is_finite() => {
-                let message =
-                    "a viewBox of a page that has no size, expected width and height of <svg>";
-                return Err(wrong(node, message));
-            }
-            View::Of(view) => {
-                inner.to_page = inner.to_page * fitted(node, [corner, size], view)?;
-                inner.viewport = view[1].to_array();
-            }
-        }
-        Ok(Some(inner))
-    }
-
-    /// What a `use` shows.
-    fn instance(
-        &mut self,
-        node: Node<'a, 'i>,
-        declared: &Declared<'a>,
-        mut inner: Surroundings,
-        steps: &mut Vec<Step<'a, 'i>>,
-    ) -> Result<(), ExportError> {
-        let lengths = inner.lengths();
-        let link = href(node).unwrap_or_default().trim();
-        let Some(id) = link.strip_prefix('#') else {
-            if !link.is_empty() {
-                self.told.add("<use>", "it shows something from another file", line(node));
-            }
-            return Ok(());
-        };
-        let Some(target) = self.source.element(id) else { return Ok(()) };
-        let is_within = |inner: &Node<'_, '_>| {
-            let (inner, outer) = (inner.range(), target.range());
-            outer.start <= inner.start && inner.end <= outer.end
-        };
-        if is_within(&node) || self.instances.iter().any(is_within) {
-            self.told.add("<use>", "it shows itself", line(node));
-            return Ok(());
-        }
-        if self.instances.len() == MOST_NESTED {
-            let message = format!("<use> within <use>, expected {MOST_NESTED} levels at most");
-            return Err(wrong(node, message));
-        }
-        inner.size_of_use = [
-            length(node, declared, Property::Width, &lengths)?,
-            length(node, declared, Property::Height, &lengths)?,
-        ];
-        inner.is_instance = true;
-        inner.style = inner.style.within_use();
-        self.instances.push(node);
-        steps.push(Step::LeaveInstance);
-        steps.push(Step::One(target, inner));
-        Ok(())
-    }
-
     fn shape(
         &mut self,
         node: Node<'a, 'i>,
@@ -434,7 +303,7 @@ impl<'s, 'a, 'i> Walker<'s, 'a, 'i> {
     }
 
     /// The rings of what is drawn, in millimetres of the page.
-    fn outline(
+    pub(super) fn outline(
         &mut self,
         around: &Surroundings,
         draw: impl FnOnce(&mut Chords) -> Result<(), String>,
@@ -458,7 +327,7 @@ impl<'s, 'a, 'i> Walker<'s, 'a, 'i> {
 
     /// Whether a property names an element of this kind.
     fn refers_to(&self, declared: &Declared<'a>, property: Property, kind: &str) -> bool {
-        let id = declared.get(property).and_then(super::style::reference);
+        let id = declared.get(property).and_then(reference);
         id.and_then(|id| self.source.element(id)).and_then(name) == Some(kind)
     }
 }
@@ -467,69 +336,4 @@ fn push_children<'a, 'i>(node: Node<'a, 'i>, around: Surroundings, steps: &mut V
     if let Some(child) = node.first_element_child() {
         steps.push(Step::Siblings(child, around));
     }
-}
-
-/// Whether an element is meant for viewers such as this one: English, without
-/// extensions (SVG 2, section 5.10).
-fn is_for_us(node: Node<'_, '_>) -> bool {
-    let extensions = node.attribute("requiredExtensions").unwrap_or_default();
-    let speaks_english = |languages: &str| {
-        languages.split(',').any(|language| {
-            let language = language.trim().to_ascii_lowercase();
-            language == "en" || language.starts_with("en-")
-        })
-    };
-    extensions.trim().is_empty() && node.attribute("systemLanguage").is_none_or(speaks_english)
-}
-
-/// The transform of an element, about its origin, which usually is this.
-pub(super) fn own_transform(
-    node: Node<'_, '_>,
-    declared: &Declared<'_>,
-    lengths: &Lengths,
-    usual: DVec2,
-) -> Result<DAffine2, ExportError> {
-    let Some(text) = declared.get(Property::Transform) else { return Ok(DAffine2::IDENTITY) };
-    let own = transform(text).map_err(|message| wrong(node, message))?;
-    let origin = match declared.get(Property::TransformOrigin) {
-        None => usual,
-        Some(text) => {
-            let message = "cannot be read, expected two lengths";
-            let refuse = |_| wrong(node, format!("the transform-origin `{text}` {message}"));
-            let origin: TransformOrigin = text.parse().map_err(refuse)?;
-            let [width, height] = lengths.viewport;
-            let place = || {
-                let x = lengths.of(origin.x_offset, width)?;
-                Ok(dvec2(x, lengths.of(origin.y_offset, height)?))
-            };
-            place().map_err(|message: String| wrong(node, message))?
-        }
-    };
-    if origin == DVec2::ZERO {
-        return Ok(own);
-    }
-    let to_origin = DAffine2::from_translation(origin);
-    Ok(to_origin * own * DAffine2::from_translation(-origin))
-}
-
-/// A length that an element gives; nothing for what it does not give.
-pub(super) fn length(
-    node: Node<'_, '_>,
-    declared: &Declared<'_>,
-    property: Property,
-    lengths: &Lengths,
-) -> Result<Option<f64>, ExportError> {
-    let given = declared.get(property).filter(|text| !text.eq_ignore_ascii_case("auto"));
-    let Some(text) = given else { return Ok(None) };
-    let length = lengths.along(property, text);
-    length.map(Some).map_err(|message| wrong(node, format!("{}: {message}", property.name())))
-}
-
-fn corner(
-    node: Node<'_, '_>,
-    declared: &Declared<'_>,
-    lengths: &Lengths,
-) -> Result<DVec2, ExportError> {
-    let x = length(node, declared, Property::X, lengths)?.unwrap_or(0.0);
-    Ok(dvec2(x, length(node, declared, Property::Y, lengths)?.unwrap_or(0.0)))
 }
