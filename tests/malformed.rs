@@ -96,7 +96,8 @@ fn malformed_height_map_gives_one_error() {
 
 /// Whether the bytes are read as heights, which then are sound.
 fn heights_are_read(bytes: &[u8], format: Option<HeightFormat>) -> bool {
-    let Ok(heights) = read_heights_bytes("seed", bytes, format) else { return false };
+    let Ok(found) = read_heights_bytes("seed", bytes, format) else { return false };
+    let heights = found.heights;
     assert_eq!(heights.values().len(), heights.xs().len() * heights.zs().len());
     assert!(heights.xs().iter().chain(heights.zs()).all(|place| place.is_finite()));
     assert!(heights.xs().is_sorted() && heights.zs().is_sorted());

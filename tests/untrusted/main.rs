@@ -45,7 +45,8 @@ fn read(kind: Kind, bytes: &[u8]) -> Result<(), String> {
             model(bytes, Some(format))
         }
         Kind::Heights(format) => {
-            let heights = read_heights_bytes("file", bytes, Some(format));
+            let read = read_heights_bytes("file", bytes, Some(format));
+            let heights = read.map(|found| found.heights);
             let sound = |heights: umriss::model::surface::Heights| {
                 assert_eq!(heights.values().len(), heights.xs().len() * heights.zs().len());
             };

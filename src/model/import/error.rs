@@ -89,6 +89,11 @@ impl Fault {
         Fault { place: Place::File, message: message.into() }
     }
 
+    /// The same problem in line `line` of a text of which it saw only a part.
+    pub(super) fn in_line(self, line: u64) -> Self {
+        Fault { place: Place::Line(line), ..self }
+    }
+
     /// The error for the caller.
     pub(super) fn named(self, file: &str) -> ImportError {
         let Fault { place, message } = self;

@@ -45,7 +45,7 @@ use std::path::Path;
 
 pub use error::ImportError;
 pub use format::Format;
-pub use heights::{HeightFormat, read_heights, read_heights_bytes};
+pub use heights::{HeightFormat, ImportedHeights, read_heights, read_heights_bytes};
 
 use super::{Placement, Soup, Unit, UpAxis};
 use crate::run::Run;
