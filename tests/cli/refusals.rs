@@ -177,7 +177,7 @@ fn bad_drawings_are_named_with_their_line() {
     folder.fails(
         1,
         "draw cut.json -o a.svg",
-        "umriss: cut.json:2: column 8: EOF while parsing a value\n",
+        "umriss: cut.json:2: column 8: the text ends here, expected a value\n",
     );
     folder.fails(
         1,
@@ -195,8 +195,8 @@ fn bad_camera_files_are_named_with_their_line() {
     folder.fails(
         1,
         "draw cube.obj -o a.svg --camera kind.json",
-        "umriss: kind.json:2: column 17: unknown variant `fisheye`, expected `orthographic` or \
-         `perspective`\n",
+        "umriss: kind.json:2: column 17: the word 'fisheye' is not known, expected \
+         'orthographic' or 'perspective'\n",
     );
     folder.fails(
         1,

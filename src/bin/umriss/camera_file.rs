@@ -6,6 +6,7 @@ use glam::DVec3;
 use serde::Deserialize;
 use std::path::Path;
 use umriss::model::Camera;
+use umriss::model::import::json_message;
 
 /// A camera as it stands in a file.
 #[derive(Deserialize)]
@@ -36,8 +37,7 @@ pub(crate) fn read_camera(file: &Path, near: Option<f64>) -> Result<Camera, Fail
     let bytes = std::fs::read(file)
         .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
     let text: CameraText = serde_json::from_slice(&bytes).map_err(|error| {
-        let message = error.to_string();
-        let message = message.split(" at line ").next().unwrap_or_default();
+        let message = json_message(&error, "a camera");
         Failure::failed(format!("{name}:{}: column {}: {message}", error.line(), error.column()))
     })?;
     let [eye, target, up] = [text.eye, text.target, text.up].map(DVec3::from_array);

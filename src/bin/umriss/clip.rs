@@ -1,14 +1,15 @@
 //! `umriss clip`: Boolean operations on polygons.
 
 use crate::failure::Failure;
+use crate::input::read_input;
 use crate::interrupt::writing;
 use crate::outputs::print;
 use crate::session::RunFlags;
 use clap::Args;
-use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
 use umriss::export::{ExportError, ShapeFormat, write_file};
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
+use umriss::run::Run;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -65,7 +66,8 @@ impl Clip {
             let count = self.files.len() as u64;
             let shapes = run.stage("reading", count, || {
                 let files = self.files.iter().zip(formats);
-                files.map(|(file, format)| self.read(file, format)).collect::<Result<Vec<_>, _>>()
+                let read = files.map(|(file, format)| self.read(file, format, run));
+                read.collect::<Result<Vec<_>, _>>()
             })?;
             let shapes: Vec<&PlaneShape> = shapes.iter().collect();
             let operation = || PlaneShape::operation_within(self.operation, &shapes, run);
@@ -80,15 +82,9 @@ impl Clip {
         writing(|| write_file(&self.output, text.as_bytes()))
     }
 
-    fn read(&self, file: &Path, format: ShapeFormat) -> Result<PlaneShape, Failure> {
+    fn read(&self, file: &Path, format: ShapeFormat, run: &Run<'_>) -> Result<PlaneShape, Failure> {
         let name = if is_standard(file) { "<stdin>".into() } else { file.display().to_string() };
-        let mut bytes = Vec::new();
-        let read = if is_standard(file) {
-            stdin().lock().read_to_end(&mut bytes).map(|_| ())
-        } else {
-            std::fs::read(file).map(|all| bytes = all)
-        };
-        read.map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
+        let bytes = read_input(Some(file).filter(|file| !is_standard(file)), run)?;
         let file = format.read(&bytes).map_err(|error| match error {
             ExportError::Shape { line, message } => {
                 Failure::failed(format!("{name}:{line}: {message}"))

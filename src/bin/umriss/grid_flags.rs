@@ -1,12 +1,12 @@
 //! Flags that say what a surface is and which of its lines are drawn.
 
 use crate::failure::Failure;
+use crate::input::{STANDARD_INPUT, read_input};
 use crate::model_flags::UnitName;
 use crate::session::RunFlags;
 use clap::{Args, ValueEnum};
-use std::io::{Read, stdin};
 use std::path::Path;
-use umriss::model::import::{HeightFormat, read_heights, read_heights_bytes};
+use umriss::model::import::{HeightFormat, read_heights_bytes_within, read_heights_within};
 use umriss::model::surface::{CurveOptions, Heights, Surface, SurfaceError};
 use umriss::run::Run;
 
@@ -95,7 +95,7 @@ impl GridFlags {
         session: &RunFlags,
         run: &Run<'_>,
     ) -> Result<(Surface, String), Failure> {
-        let (heights, name, file) = match self.file(source) {
+        let (heights, name, file) = match self.file(source, run) {
             Some(heights) => {
                 let stem = Path::new(source).file_stem();
                 let name = stem.map_or("stdin".into(), |stem| stem.to_string_lossy().into_owned());
@@ -133,31 +133,29 @@ impl GridFlags {
     }
 
     /// The heights of a file, if the source is one.
-    fn file(&self, source: &str) -> Option<Result<Heights, Failure>> {
+    fn file(&self, source: &str, run: &Run<'_>) -> Option<Result<Heights, Failure>> {
         let path = Path::new(source);
         let known = HeightFormat::from_extension(path).is_some();
         if !(source == "-" || known || self.input_format.is_some() || path.is_file()) {
             return None;
         }
-        Some(self.read(source))
+        Some(self.read(source, run))
     }
 
-    fn read(&self, source: &str) -> Result<Heights, Failure> {
+    fn read(&self, source: &str, run: &Run<'_>) -> Result<Heights, Failure> {
         if self.nx.is_some() || self.nz.is_some() {
             return Err(Failure::usage(
                 "--nx and --nz: a file has its own points, expected an expression or neither",
             ));
         }
         let heights = if source == "-" {
-            let (name, mut bytes) = ("<stdin>", Vec::new());
-            match stdin().lock().read_to_end(&mut bytes) {
-                Ok(_) => read_heights_bytes(name, &bytes, self.input_format)?,
-                Err(error) => {
-                    return Err(Failure::failed(format!("{name}: cannot be read: {error}")));
-                }
-            }
+            let bytes = read_input(None, run)?;
+            let heights =
+                read_heights_bytes_within(STANDARD_INPUT, &bytes, self.input_format, run)?;
+            run.give_back(bytes.capacity() as u64);
+            heights
         } else {
-            read_heights(Path::new(source), self.input_format)?
+            read_heights_within(Path::new(source), self.input_format, run)?
         };
         if self.x.is_none() && self.z.is_none() {
             return Ok(heights);

@@ -14,6 +14,8 @@ use super::ImportError;
 use super::error::{Fault, Read};
 use super::text::Text;
 use crate::model::surface::Heights;
+use crate::run::Run;
+use std::fs::File;
 use std::path::Path;
 
 /// A format of heights.
@@ -69,11 +71,31 @@ impl HeightFormat {
 /// build, or the content is not a sound grid of that format. Missing heights
 /// are no error here.
 pub fn read_heights(path: &Path, format: Option<HeightFormat>) -> Result<Heights, ImportError> {
+    read_heights_within(path, format, &Run::default())
+}
+
+/// As [`read_heights`], asking a run how much memory there is.
+///
+/// # Errors
+///
+/// As [`read_heights`]; and if the run is cancelled or reaches a limit.
+pub fn read_heights_within(
+    path: &Path,
+    format: Option<HeightFormat>,
+    run: &Run<'_>,
+) -> Result<Heights, ImportError> {
     let name = path.display().to_string();
-    match std::fs::read(path) {
-        Ok(bytes) => read_heights_bytes(&name, &bytes, format),
-        Err(source) => Err(ImportError::Io { file: name, source }),
-    }
+    let read = || {
+        let file = File::open(path)?;
+        let size = file.metadata()?.len();
+        // Rows of text are numbered with less, pixels too.
+        run.read_all(file, size, u32::MAX.into())
+    };
+    let bytes = read().map_err(|source| ImportError::Io { file: name.clone(), source })?;
+    run.check()?;
+    let heights = read_heights_bytes_within(&name, &bytes, format, run);
+    run.give_back(bytes.capacity() as u64);
+    heights
 }
 
 /// Reads a grid that is already in memory; `name` is for messages and, where
@@ -88,10 +110,34 @@ pub fn read_heights_bytes(
     bytes: &[u8],
     format: Option<HeightFormat>,
 ) -> Result<Heights, ImportError> {
-    read(Path::new(name), bytes, format).map_err(|fault| fault.named(name))
+    read_heights_bytes_within(name, bytes, format, &Run::default())
 }
 
-fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<Heights> {
+/// As [`read_heights_bytes`], asking a run how much memory there is: a few
+/// bytes of an image may be very many heights.
+///
+/// # Errors
+///
+/// As [`read_heights_bytes`]; and if the run is cancelled or reaches a limit.
+pub fn read_heights_bytes_within(
+    name: &str,
+    bytes: &[u8],
+    format: Option<HeightFormat>,
+    run: &Run<'_>,
+) -> Result<Heights, ImportError> {
+    let outcome = read(Path::new(name), bytes, format, run);
+    run.check()?;
+    let heights = outcome.map_err(|fault| fault.named(name))?;
+    run.take(bytes_of(&heights))?;
+    Ok(heights)
+}
+
+/// What a grid takes.
+fn bytes_of(heights: &Heights) -> u64 {
+    ((heights.xs().len() + heights.zs().len() + heights.values().len()) * size_of::<f64>()) as u64
+}
+
+fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>, run: &Run<'_>) -> Read<Heights> {
     if bytes.trim_ascii().is_empty() {
         return Err(Fault::line(1, "the file is empty, expected heights"));
     }
@@ -99,7 +145,7 @@ fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<Heights
     match told.or_else(|| HeightFormat::from_extension(name)) {
         Some(HeightFormat::Csv) => csv::read(bytes),
         Some(HeightFormat::Esri) => esri::read(bytes),
-        Some(HeightFormat::Png) => read_png(bytes),
+        Some(HeightFormat::Png) => read_png(bytes, run),
         None => Err(Fault::file("the format is unknown, expected CSV, ESRI ASCII grid or PNG")),
     }
 }
@@ -108,7 +154,7 @@ fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<Heights
 use png::read as read_png;
 
 #[cfg(not(feature = "png"))]
-fn read_png(_: &[u8]) -> Read<Heights> {
+fn read_png(_: &[u8], _: &Run<'_>) -> Read<Heights> {
     Err(Fault::file("this build cannot read png files, expected one with feature png"))
 }
 
