@@ -63,6 +63,15 @@ fn command_lines_that_make_no_sense_end_with_two() {
             "--opacity, --pattern: expected --method a-buffer with --show shade\n",
         ),
         ("raster cube.obj -o a.svg", "--output: only splits are drawn as SVG, expected a PNG\n"),
+        (
+            "raster cube.obj -o a.jpg",
+            "--output a.jpg: expected the name of a PNG, or of an SVG for --show splits\n",
+        ),
+        (
+            "raster cube.obj -o a",
+            "--output a: expected the name of a PNG, or of an SVG for --show splits\n",
+        ),
+        ("verify cube.obj --picture a.jpg", "--picture a.jpg: expected the name of a PNG\n"),
         ("draw cube.obj -o a.svg -o a.svg", "--output a.svg is given twice\n"),
         ("draw cube.obj -o -", "--output - needs --format to say what to write\n"),
         ("draw - - -o a.svg", "- is given twice, but standard input can be read only once\n"),

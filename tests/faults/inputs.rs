@@ -94,3 +94,21 @@ fn a_pipe_with_a_name_is_read_once() {
     // A drawing too.
     assert_eq!(draw("pipe.json", expected.as_bytes()), expected);
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn settings_without_end_are_too_large() {
+    let folder = folder_with("scene.json", SCENE.as_bytes());
+    for arguments in [
+        "draw scene.json --camera /dev/zero -o out.svg",
+        "draw scene.json --style /dev/zero -o out.svg",
+        "draw scene.json --devices /dev/zero -o out.svg",
+        "raster scene.json --size 9x9 --caption a --font /dev/zero -o out.png",
+    ] {
+        let output = program(folder.path(), arguments).stdin(Stdio::null()).output().unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(errors.starts_with("umriss: /dev/zero: "), "{arguments}: {errors}");
+        assert!(errors.ends_with("file too large\n"), "{arguments}: {errors}");
+        assert_eq!(output.status.code(), Some(1), "{arguments}");
+    }
+}

@@ -2,6 +2,7 @@
 
 use crate::camera_flags::DEFAULT_FOV;
 use crate::failure::Failure;
+use crate::input::read_settings;
 use glam::DVec3;
 use serde::Deserialize;
 use std::path::Path;
@@ -34,7 +35,7 @@ fn z() -> [f64; 3] {
 /// Reads a camera; `near` is the near plane asked for on the command line.
 pub(crate) fn read_camera(file: &Path, near: Option<f64>) -> Result<Camera, Failure> {
     let name = file.display();
-    let bytes = std::fs::read(file)
+    let bytes = read_settings(file)
         .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
     let text: CameraText = serde_json::from_slice(&bytes).map_err(|error| {
         let message = json_message(&error, "a camera");

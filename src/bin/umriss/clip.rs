@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::input::read_input;
 use crate::interrupt::writing;
 use crate::outputs::print;
+use crate::overwriting;
 use crate::session::RunFlags;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -62,6 +63,8 @@ impl Clip {
             let message = "- is given twice, but standard input can be read only once";
             return Err(Failure::usage(message));
         }
+        let inputs = self.files.iter().map(PathBuf::as_path);
+        overwriting::refuse("--output", [&*self.output], inputs)?;
         let text = self.session.run(|run| {
             let count = self.files.len() as u64;
             let shapes = run.stage("reading", count, || {

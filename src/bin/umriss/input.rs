@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use std::fs::File;
-use std::io::stdin;
+use std::io::{self, ErrorKind, stdin};
 use std::path::Path;
 use umriss::run::Run;
 
@@ -26,4 +26,21 @@ pub(crate) fn read_input(path: Option<&Path>, run: &Run<'_>) -> Result<Vec<u8>, 
     })?;
     run.check()?;
     Ok(bytes)
+}
+
+/// A file of settings larger than this is none.
+const MOST_OF_SETTINGS: u64 = 1 << 26;
+
+/// All bytes of a file of settings: cameras, styles, plotters, fonts.
+pub(crate) fn read_settings(path: &Path) -> io::Result<Vec<u8>> {
+    let bytes = Run::default().read_all(File::open(path)?, 0, MOST_OF_SETTINGS + 1)?;
+    if MOST_OF_SETTINGS < bytes.len() as u64 {
+        return Err(ErrorKind::FileTooLarge.into());
+    }
+    Ok(bytes)
+}
+
+/// The same as text.
+pub(crate) fn read_settings_text(path: &Path) -> io::Result<String> {
+    io::read_to_string(&*read_settings(path)?)
 }

@@ -13,6 +13,7 @@ use crate::session::RunFlags;
 use crate::stroke_flags::StrokeFlags;
 use crate::style_flags::StyleFlags;
 use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
 use umriss::drawing::{
     Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, SurfaceOptions,
 };
@@ -93,9 +94,12 @@ type Found = (VisibleLines, Option<Vec<Crossing>>);
 impl SurfaceCommand {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let outputs = self.outputs.plan()?;
+        let flags = [&self.camera.camera, &self.style.style, &self.plotter.devices];
+        let flags = flags.into_iter().flatten().map(PathBuf::as_path);
+        let outputs = self.outputs.plan(flags.chain([Path::new(&self.source)]))?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        computed.tell_if_empty(&self.session);
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 
