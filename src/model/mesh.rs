@@ -335,15 +335,20 @@ impl Mesh {
         (x == a && y == b) || (y == a && z == b) || (z == a && x == b)
     }
 
-    /// The box of all vertices as (least, greatest) corner.
+    /// The box of all triangles and loose lines as (least, greatest) corner.
+    /// Vertices that nothing uses are no part of what is seen. O(n).
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
-        map_chunks(self.vertices.len(), 1 << 16, |part| {
-            self.vertices[part].iter().fold(empty, |bounds, &p| join(bounds, (p, p)))
-        })
-        .into_iter()
-        .fold(empty, join)
+        let add = |bounds, &vertex: &u32| {
+            let p = self.vertices[vertex as usize];
+            join(bounds, (p, p))
+        };
+        let boxes = map_chunks(self.triangles.len(), 1 << 16, |part| {
+            self.triangles[part].as_flattened().iter().fold(empty, add)
+        });
+        let lines = self.loose_lines.as_flattened().iter().fold(empty, add);
+        boxes.into_iter().fold(lines, join)
     }
 }
 

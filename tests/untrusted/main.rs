@@ -8,8 +8,12 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[cfg(feature = "gltf")]
+mod files;
 #[cfg(all(feature = "ply", feature = "gltf", feature = "json", feature = "png"))]
 mod lies;
+#[cfg(all(feature = "gltf", feature = "png"))]
+mod limits;
 mod nesting;
 mod numbers;
 #[cfg(all(feature = "ply", feature = "gltf", feature = "json", feature = "png"))]

@@ -1,15 +1,17 @@
 //! `umriss clip`: Boolean operations on polygons.
 
 use crate::failure::Failure;
+use crate::input::read_input;
 use crate::interrupt::writing;
 use crate::outputs::print;
+use crate::overwriting;
 use crate::session::RunFlags;
 use clap::Args;
-use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
 use umriss::drawing::{DrawingError, Length};
 use umriss::export::{ExportError, ShapeFile, ShapeFormat, ShapeOptions, ShapePage, write_file};
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
+use umriss::run::Run;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -85,11 +87,14 @@ impl Clip {
             let message = "- is given twice, but standard input can be read only once";
             return Err(Failure::usage(message));
         }
+        let inputs = self.files.iter().map(PathBuf::as_path);
+        overwriting::refuse("--output", [&*self.output], inputs)?;
         let text = self.session.run(|run| {
             let count = self.files.len() as u64;
             let files = run.stage("reading", count, || {
                 let files = self.files.iter().zip(formats);
-                files.map(|(file, format)| self.read(file, format)).collect::<Result<Vec<_>, _>>()
+                let read = files.map(|(file, format)| self.read(file, format, run));
+                read.collect::<Result<Vec<_>, _>>()
             })?;
             let page = files.iter().filter_map(|(_, file)| file.page).reduce(ShapePage::with);
             let shapes = run.stage("shapes", count, || {
@@ -114,15 +119,14 @@ impl Clip {
         writing(|| write_file(&self.output, text.as_bytes()))
     }
 
-    fn read(&self, file: &Path, format: ShapeFormat) -> Result<(String, ShapeFile), Failure> {
+    fn read(
+        &self,
+        file: &Path,
+        format: ShapeFormat,
+        run: &Run<'_>,
+    ) -> Result<(String, ShapeFile), Failure> {
         let name = if is_standard(file) { "<stdin>".into() } else { file.display().to_string() };
-        let mut bytes = Vec::new();
-        let read = if is_standard(file) {
-            stdin().lock().read_to_end(&mut bytes).map(|_| ())
-        } else {
-            std::fs::read(file).map(|all| bytes = all)
-        };
-        read.map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
+        let bytes = read_input(Some(file).filter(|file| !is_standard(file)), run)?;
         let options = ShapeOptions {
             flatness: self.flatness.millimetres(),
             snap: self.snap.map(Length::millimetres),

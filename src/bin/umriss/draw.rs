@@ -103,11 +103,14 @@ pub(crate) struct Draw {
 impl Draw {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let outputs = self.outputs.plan()?;
+        let flags = [&self.camera.camera, &self.style.style, &self.plotter.devices];
+        let inputs = self.models.iter().chain(flags.into_iter().flatten());
+        let outputs = self.outputs.plan(inputs.map(PathBuf::as_path))?;
         let plotter = self.plotter.plotter()?;
         self.refuse_what_is_not_painted(&outputs)?;
         let all_lines = outputs.any(OutputFormat::Json);
         let computed = self.session.run(|run| self.draw(&plotter, all_lines, run))?;
+        computed.tell_if_empty(&self.session);
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 

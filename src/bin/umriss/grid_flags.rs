@@ -1,12 +1,14 @@
 //! Flags that say what a surface is and which of its lines are drawn.
 
 use crate::failure::Failure;
+use crate::input::{STANDARD_INPUT, read_input};
 use crate::model_flags::UnitName;
 use crate::session::RunFlags;
 use clap::{Args, ValueEnum};
-use std::io::{Read, stdin};
 use std::path::Path;
-use umriss::model::import::{HeightFormat, ImportedHeights, read_heights, read_heights_bytes};
+use umriss::model::import::{
+    HeightFormat, ImportedHeights, read_heights_bytes_within, read_heights_within,
+};
 use umriss::model::surface::{CurveOptions, Heights, Surface, SurfaceError, SurfaceWithHoles};
 use umriss::run::Run;
 
@@ -128,7 +130,7 @@ impl GridFlags {
                 let stem = Path::new(source).file_stem();
                 let name = stem.map_or("stdin".into(), |stem| stem.to_string_lossy().into_owned());
                 let name = if source == "-" { "stdin".to_owned() } else { name };
-                (self.read(source, session)?, name, Some(source))
+                (self.read(source, session, run)?, name, Some(source))
             }
             false => (self.expression(source, run)?, source.to_owned(), None),
         };
@@ -177,17 +179,14 @@ impl GridFlags {
     }
 
     /// The heights of a file; says what is not as it looks.
-    fn read(&self, source: &str, session: &RunFlags) -> Result<Heights, Failure> {
+    fn read(&self, source: &str, session: &RunFlags, run: &Run<'_>) -> Result<Heights, Failure> {
         let found = if source == "-" {
-            let (name, mut bytes) = ("<stdin>", Vec::new());
-            match stdin().lock().read_to_end(&mut bytes) {
-                Ok(_) => read_heights_bytes(name, &bytes, self.input_format)?,
-                Err(error) => {
-                    return Err(Failure::failed(format!("{name}: cannot be read: {error}")));
-                }
-            }
+            let bytes = read_input(None, run)?;
+            let found = read_heights_bytes_within(STANDARD_INPUT, &bytes, self.input_format, run)?;
+            run.give_back(bytes.capacity() as u64);
+            found
         } else {
-            read_heights(Path::new(source), self.input_format)?
+            read_heights_within(Path::new(source), self.input_format, run)?
         };
         let ImportedHeights { heights, warnings, has_places } = found;
         for warning in &warnings {

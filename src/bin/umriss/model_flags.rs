@@ -12,6 +12,10 @@ pub(crate) struct ModelFlags {
     /// extension]
     #[arg(long, value_name = "F", value_parser = parse_format)]
     pub(crate) input_format: Option<Format>,
+    /// Read files that a glTF model refers to outside of its own folder too, `../textures.bin` or
+    /// `/data/a.bin`: for models that are trusted
+    #[arg(long)]
+    pub(crate) allow_outside: bool,
     /// Unit of the models' numbers [default: m for glTF, otherwise mm]
     #[arg(long, value_enum)]
     pub(crate) unit: Option<UnitName>,

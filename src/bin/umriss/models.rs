@@ -1,19 +1,16 @@
 //! Reads what the command line names: models, or one computed drawing.
 
 use crate::failure::Failure;
+use crate::input::{STANDARD_INPUT, read_input};
 use crate::model_flags::{AxisName, ModelFlags};
 use crate::session::RunFlags;
 use serde::Deserialize;
-use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
 use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
-use umriss::model::import::{Imported, read_bytes_within, read_file_within};
+use umriss::model::import::{ImportOptions, Imported, read_bytes_within, read_file_within};
 use umriss::model::{MeshError, Scene, SceneOptions, Soup, Unit};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
-
-/// The name under which standard input goes in messages.
-const STANDARD_INPUT: &str = "<stdin>";
 
 /// How far into a file the name of our own format is looked for where the
 /// rest is no JSON.
@@ -35,14 +32,14 @@ pub(crate) fn read_subject(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Subject, Failure> {
-    let sources = sources(files)?;
+    let mut sources = sources(files, run)?;
     if flags.input_format.is_none()
-        && let [source] = &*sources
-        && let Some(drawing) = read_computed(source)?
+        && let [source] = &mut *sources
+        && let Some(drawing) = read_computed(source, run)?
     {
         return Ok(Subject::Drawing(Box::new(drawing)));
     }
-    scene_of(&sources, flags, select, session, run).map(|scene| Subject::Scene(Box::new(scene)))
+    scene_of(&mut sources, flags, select, session, run).map(|scene| Subject::Scene(Box::new(scene)))
 }
 
 /// Reads models into one scene.
@@ -63,7 +60,7 @@ pub(crate) fn read_selected(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    scene_of(&sources(files)?, flags, select, session, run)
+    scene_of(&mut sources(files, run)?, flags, select, session, run)
 }
 
 /// Leaves out objects that are not wanted.
@@ -73,8 +70,8 @@ pub(crate) type Select<'a> = &'a dyn Fn(&mut Vec<Soup>) -> Result<(), Failure>;
 struct Source<'a> {
     /// Nothing for standard input.
     path: Option<&'a Path>,
-    /// Standard input can be read only once.
-    bytes: Vec<u8>,
+    /// What can be read only once: standard input, or a pipe with a name.
+    bytes: Option<Vec<u8>>,
 }
 
 impl Source<'_> {
@@ -83,38 +80,39 @@ impl Source<'_> {
     }
 }
 
-fn sources(files: &[PathBuf]) -> Result<Vec<Source<'_>>, Failure> {
+fn sources<'a>(files: &'a [PathBuf], run: &Run<'_>) -> Result<Vec<Source<'a>>, Failure> {
     if files.iter().filter(|file| file.as_os_str() == "-").count() > 1 {
         return Err(Failure::usage("- is given twice, but standard input can be read only once"));
     }
-    files.iter().map(|file| source(file)).collect()
+    files.iter().map(|file| source(file, run)).collect()
 }
 
-fn source(file: &Path) -> Result<Source<'_>, Failure> {
+fn source<'a>(file: &'a Path, run: &Run<'_>) -> Result<Source<'a>, Failure> {
     if file.as_os_str() != "-" {
-        return Ok(Source { path: Some(file), bytes: Vec::new() });
+        return Ok(Source { path: Some(file), bytes: None });
     }
-    let mut bytes = Vec::new();
-    match stdin().lock().read_to_end(&mut bytes) {
-        Ok(_) => Ok(Source { path: None, bytes }),
-        Err(error) => Err(Failure::failed(format!("{STANDARD_INPUT}: cannot be read: {error}"))),
-    }
+    let bytes = run.stage("reading", 1, || read_input(None, run))?;
+    Ok(Source { path: None, bytes: Some(bytes) })
 }
 
 /// The drawing in a source, if it is one.
-fn read_computed(source: &Source<'_>) -> Result<Option<(VisibleLines, DrawingNotes)>, Failure> {
-    let read;
-    let bytes = match source.path {
-        None => &source.bytes,
-        Some(path) if path.extension().is_some_and(|word| word.eq_ignore_ascii_case("json")) => {
-            let name = path.display();
-            read = std::fs::read(path)
-                .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
-            &read
+fn read_computed(
+    source: &mut Source<'_>,
+    run: &Run<'_>,
+) -> Result<Option<(VisibleLines, DrawingNotes)>, Failure> {
+    if let Some(path) = source.path {
+        if !path.extension().is_some_and(|word| word.eq_ignore_ascii_case("json")) {
+            return Ok(None);
         }
-        Some(_) => return Ok(None),
-    };
+        source.bytes = Some(run.stage("reading", 1, || read_input(Some(path), run))?);
+    }
+    let Some(bytes) = &source.bytes else { return Ok(None) };
     if !is_drawing(bytes) {
+        // A file may be opened again, and knows what lies beside it.
+        if source.path.is_some_and(Path::is_file) {
+            run.give_back(bytes.capacity() as u64);
+            source.bytes = None;
+        }
         return Ok(None);
     }
     let name = source.name();
@@ -146,7 +144,7 @@ fn is_drawing(bytes: &[u8]) -> bool {
 }
 
 fn scene_of(
-    sources: &[Source<'_>],
+    sources: &mut [Source<'_>],
     flags: &ModelFlags,
     select: Select<'_>,
     session: &RunFlags,
@@ -155,7 +153,7 @@ fn scene_of(
     let mut unit = None;
     let mut soups = Vec::new();
     run.stage("reading", sources.len() as u64, || {
-        for source in sources {
+        for source in &mut *sources {
             let imported = import(source, flags, run)?;
             for warning in &imported.warnings {
                 session.note(&format!("{}: {warning}", source.name()));
@@ -181,12 +179,19 @@ fn scene_of(
     Ok(scene)
 }
 
-fn import(source: &Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {
-    let imported = match source.path {
-        Some(path) => read_file_within(path, flags.input_format, run),
-        None => read_bytes_within(STANDARD_INPUT, &source.bytes, flags.input_format, run),
-    };
-    Ok(imported?)
+fn import(source: &mut Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {
+    let (format, allow_outside) = (flags.input_format, flags.allow_outside);
+    match (source.bytes.take(), source.path) {
+        (None, Some(path)) => {
+            Ok(read_file_within(path, ImportOptions { format, allow_outside }, run)?)
+        }
+        (bytes, _) => {
+            let bytes = bytes.unwrap_or_default();
+            let imported = read_bytes_within(&source.name(), &bytes, format, run);
+            run.give_back(bytes.capacity() as u64);
+            Ok(imported?)
+        }
+    }
 }
 
 /// The unit of the scene after one more file.

@@ -14,6 +14,7 @@ use crate::stroke_flags::StrokeFlags;
 use crate::style_flags::StyleFlags;
 use clap::{Args, ValueEnum};
 use glam::DVec3;
+use std::path::{Path, PathBuf};
 use umriss::drawing::{
     Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, SurfaceOptions,
 };
@@ -106,9 +107,12 @@ type Found = (VisibleLines, Option<Vec<Crossing>>);
 impl SurfaceCommand {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let outputs = self.outputs.plan()?;
+        let flags = [&self.camera.camera, &self.style.style, &self.plotter.devices];
+        let flags = flags.into_iter().flatten().map(PathBuf::as_path);
+        let outputs = self.outputs.plan(flags.chain(self.sources.iter().map(Path::new)))?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        computed.tell_if_empty(&self.session);
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 

@@ -6,6 +6,8 @@ use crate::line_flags::LineFlags;
 use crate::model_flags::ModelFlags;
 use crate::models::read_scene;
 use crate::outputs::print;
+#[cfg(feature = "png")]
+use crate::overwriting;
 use crate::sample_grid::{parse_size, samples};
 use crate::session::RunFlags;
 use clap::Args;
@@ -97,6 +99,8 @@ impl Reports {
 impl Verify {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        #[cfg(feature = "png")]
+        self.check_picture()?;
         let reports = self.session.run(|run| self.verify(run))?;
         let mut text = format!("{}{}{}", reports.lines, reports.regions, reports.painting);
         if let Some(check) = &reports.images {
@@ -108,6 +112,18 @@ impl Verify {
         } else {
             Err(Failure::failed("the checks differ: expected no difference"))
         }
+    }
+
+    /// The picture is a PNG, and replaces nothing that is read.
+    #[cfg(feature = "png")]
+    fn check_picture(&self) -> Result<(), Failure> {
+        let Some(picture) = &self.picture else { return Ok(()) };
+        if !picture.extension().is_some_and(|word| word.eq_ignore_ascii_case("png")) {
+            let name = picture.display();
+            return Err(Failure::usage(format!("--picture {name}: expected the name of a PNG")));
+        }
+        let inputs = self.models.iter().chain(&self.camera.camera);
+        overwriting::refuse("--picture", [&**picture], inputs.map(PathBuf::as_path))
     }
 
     fn verify(&self, run: &Run<'_>) -> Result<Reports, Failure> {

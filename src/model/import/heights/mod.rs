@@ -15,6 +15,8 @@ use super::ImportError;
 use super::error::{Fault, Read};
 use super::text::Text;
 use crate::model::surface::Heights;
+use crate::run::Run;
+use std::fs::File;
 use std::path::Path;
 
 /// Heights as a file has them.
@@ -90,11 +92,31 @@ pub fn read_heights(
     path: &Path,
     format: Option<HeightFormat>,
 ) -> Result<ImportedHeights, ImportError> {
+    read_heights_within(path, format, &Run::default())
+}
+
+/// As [`read_heights`], asking a run how much memory there is.
+///
+/// # Errors
+///
+/// As [`read_heights`]; and if the run is cancelled or reaches a limit.
+pub fn read_heights_within(
+    path: &Path,
+    format: Option<HeightFormat>,
+    run: &Run<'_>,
+) -> Result<ImportedHeights, ImportError> {
     let name = path.display().to_string();
-    match std::fs::read(path) {
-        Ok(bytes) => read_heights_bytes(&name, &bytes, format),
-        Err(source) => Err(ImportError::Io { file: name, source }),
-    }
+    let read = || {
+        let file = File::open(path)?;
+        let size = file.metadata()?.len();
+        // Rows of text are numbered with less, pixels too.
+        run.read_all(file, size, u32::MAX.into())
+    };
+    let bytes = read().map_err(|source| ImportError::Io { file: name.clone(), source })?;
+    run.check()?;
+    let heights = read_heights_bytes_within(&name, &bytes, format, run);
+    run.give_back(bytes.capacity() as u64);
+    heights
 }
 
 /// Reads a grid that is already in memory; `name` is for messages and, where
@@ -109,10 +131,39 @@ pub fn read_heights_bytes(
     bytes: &[u8],
     format: Option<HeightFormat>,
 ) -> Result<ImportedHeights, ImportError> {
-    read(Path::new(name), bytes, format).map_err(|fault| fault.named(name))
+    read_heights_bytes_within(name, bytes, format, &Run::default())
 }
 
-fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<ImportedHeights> {
+/// As [`read_heights_bytes`], asking a run how much memory there is: a few
+/// bytes of an image may be very many heights.
+///
+/// # Errors
+///
+/// As [`read_heights_bytes`]; and if the run is cancelled or reaches a limit.
+pub fn read_heights_bytes_within(
+    name: &str,
+    bytes: &[u8],
+    format: Option<HeightFormat>,
+    run: &Run<'_>,
+) -> Result<ImportedHeights, ImportError> {
+    let outcome = read(Path::new(name), bytes, format, run);
+    run.check()?;
+    let found = outcome.map_err(|fault| fault.named(name))?;
+    run.take(bytes_of(&found.heights))?;
+    Ok(found)
+}
+
+/// What a grid takes.
+fn bytes_of(heights: &Heights) -> u64 {
+    ((heights.xs().len() + heights.zs().len() + heights.values().len()) * size_of::<f64>()) as u64
+}
+
+fn read(
+    name: &Path,
+    bytes: &[u8],
+    format: Option<HeightFormat>,
+    run: &Run<'_>,
+) -> Read<ImportedHeights> {
     if bytes.trim_ascii().is_empty() {
         return Err(Fault::line(1, "the file is empty, expected heights"));
     }
@@ -120,7 +171,7 @@ fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<Importe
     match told.or_else(|| HeightFormat::from_extension(name)) {
         Some(HeightFormat::Csv) => csv::read(bytes),
         Some(HeightFormat::Esri) => esri::read(bytes),
-        Some(HeightFormat::Png) => read_png(bytes),
+        Some(HeightFormat::Png) => read_png(bytes, run),
         None => Err(Fault::file("the format is unknown, expected CSV, ESRI ASCII grid or PNG")),
     }
 }
@@ -129,7 +180,7 @@ fn read(name: &Path, bytes: &[u8], format: Option<HeightFormat>) -> Read<Importe
 use png::read as read_png;
 
 #[cfg(not(feature = "png"))]
-fn read_png(_: &[u8]) -> Read<ImportedHeights> {
+fn read_png(_: &[u8], _: &Run<'_>) -> Read<ImportedHeights> {
     Err(Fault::file("this build cannot read png files, expected one with feature png"))
 }
 

@@ -10,6 +10,7 @@
 
 use super::super::error::{Fault, Read};
 use super::{ImportedHeights, on_columns_and_rows};
+use crate::run::Run;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Transformations};
 use std::io::Cursor;
 
@@ -20,7 +21,7 @@ const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 const MOST: usize = 1 << 28;
 
 /// Reads an image.
-pub(super) fn read(bytes: &[u8]) -> Read<ImportedHeights> {
+pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<ImportedHeights> {
     if !bytes.starts_with(SIGNATURE) {
         return Err(Fault::file("the file does not begin like an image, expected PNG"));
     }
@@ -45,8 +46,15 @@ pub(super) fn read(bytes: &[u8]) -> Read<ImportedHeights> {
         let message = format!("an image of {width} x {height} pixels, expected {MOST} at most");
         return Err(Fault::file(message));
     };
+    // The header says how much it will be, before a pixel is unpacked: the
+    // samples, the heights and the list that these are kept in.
+    let wanted = (size + 16 * width * height) as u64;
+    if run.take(wanted).is_err() {
+        return Err(Fault::file("the image takes too much memory, expected a smaller one"));
+    }
     let mut samples = vec![0; size];
     reader.next_frame(&mut samples).map_err(damage)?;
+    run.give_back(wanted);
     let values = heights(&samples, color, depth == BitDepth::Sixteen);
     let heights = on_columns_and_rows(width, values)?;
     let mut warnings = Vec::new();
@@ -106,6 +114,28 @@ mod tests {
         writer.write_image_data(data).unwrap();
         writer.finish().unwrap();
         bytes
+    }
+
+    fn read(bytes: &[u8]) -> Read<ImportedHeights> {
+        super::read(bytes, &Run::default())
+    }
+
+    #[test]
+    fn the_header_is_asked_how_much_it_will_be() {
+        use crate::model::import::{ImportError, read_heights_bytes_within};
+        use crate::run::{Cancelled, Limits};
+        let image = image(1000, 1000, ColorType::Grayscale, BitDepth::Sixteen, &[0; 2_000_000]);
+        assert!(image.len() < 10_000, "{} bytes", image.len());
+        let read = |memory| {
+            let run = Run::default().with_limits(Limits { crossings: None, memory: Some(memory) });
+            read_heights_bytes_within("map.png", &image, None, &run).map(drop)
+        };
+        let stopped = read(17_999_999).unwrap_err();
+        let ImportError::Cancelled(Cancelled::TooMuchMemory { wanted, .. }) = stopped else {
+            panic!("{stopped}")
+        };
+        assert_eq!(wanted, 18_000_000);
+        assert!(read(18_000_000).is_ok());
     }
 
     fn refusal(bytes: &[u8]) -> String {
