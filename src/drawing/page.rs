@@ -166,7 +166,8 @@ impl Drawing {
         let regions = &*crop_regions(lines, regions, options)?;
         let weights = options.weight.map(|weight| Weights::new(lines, &weight));
         let layering = Layering { options, styles, weights: weights.as_ref() };
-        let mut drawn = crop(lines, options)?;
+        let filled = Some(regions).filter(|_| surfaces.any());
+        let mut drawn = crop(lines, filled, options)?;
         let mut plans = layering.plan(&drawn);
         let stepped = weights.iter().flat_map(|weights| weights.widths.iter().copied());
         let widths = plans.iter().map(|plan| plan.look.width).chain(stepped);
@@ -180,7 +181,7 @@ impl Drawing {
         if 0.0 < radius && !crossings.is_empty() {
             let seen: Vec<bool> = lines.pieces.iter().map(|piece| layering.draws(piece)).collect();
             let interrupted = interrupt(lines, crossings, &seen, radius, run)?;
-            drawn = Cow::Owned(crop(&interrupted, options)?.into_owned());
+            drawn = Cow::Owned(crop(&interrupted, filled, options)?.into_owned());
             plans = layering.plan(&drawn);
         }
         if let Some(weights) = &weights {

@@ -7,7 +7,7 @@
 //! nothing (`see_through`), what must not matter (`invariances`, `threads`),
 //! and scenes that break floating-point programs, looked at once and
 //! compared whole ever since (`degenerate`), and what is seen of faces
-//! (`regions`).
+//! (`regions`), also where they lie in one plane (`flats`).
 //!
 //! Random scenes come from seeds, which every failure names. `UMRISS_LONG=1`
 //! runs a hundred times as many.
@@ -17,6 +17,7 @@ mod crossings;
 #[cfg(all(feature = "json", feature = "png"))]
 mod degenerate;
 mod features;
+mod flats;
 mod intersections;
 mod invariances;
 mod outline;

@@ -32,6 +32,26 @@ pub struct Approximation {
     pub error: f64,
 }
 
+impl Approximation {
+    /// Compares two points in the order of [`Predicates::sweep`], if the floats
+    /// are good enough.
+    #[inline]
+    pub fn compare(&self, other: &Self) -> Option<Ordering> {
+        // The sum rounds, so a little is added to it.
+        let error = (self.error + other.error) * 1.000_001;
+        for i in 0..2 {
+            let difference = self.place[i] - other.place[i];
+            if difference.abs() > error {
+                return Some(if difference < 0.0 { Ordering::Less } else { Ordering::Greater });
+            }
+            if error != 0.0 {
+                return None;
+            }
+        }
+        Some(Ordering::Equal)
+    }
+}
+
 /// `l . p`.
 struct Beside<'c>(&'c Chart, ImageLine, ImagePoint);
 

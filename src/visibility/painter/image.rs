@@ -5,12 +5,14 @@
 //! closed again. So a face that was parted at inner edges only, or cut and not
 //! parted by another in the order, is printed whole. What is drawn of a border are
 //! sides on edges that are lines of the question; sides that cuts made are
-//! never drawn.
+//! never drawn. A face that bends is one shape as far as its pieces turn alike
+//! and none lies upon another: what winds around a place is then never
+//! cancelled, and no line shows through.
 
 use super::PainterError;
 use crate::kernel::predicates::{Exact, PlanePoint, Predicates};
 use crate::model::{LineClass, LineOrigin, Mesh};
-use crate::polygon::{PlaneCorner, Side};
+use crate::polygon::{PlaneCorner, PlanePolygon, Side};
 use crate::run::Counters;
 use crate::view::{
     ImageRegion, LinePiece, LineQuestion, LineSource, PaintOrder, PaintedFace, PaintedPiece,
@@ -35,7 +37,12 @@ pub fn painted_image(
         Printer { question, predicates, classes: classes(question), pieces: Vec::new() };
     let mut faces = Vec::new();
     for run in order.pieces.chunk_by(|a, b| a.area == b.area) {
-        faces.push(printer.face(run));
+        let mut rest = run;
+        while !rest.is_empty() {
+            let (shape, others) = rest.split_at(printer.one_shape(rest));
+            faces.push(printer.face(shape));
+            rest = others;
+        }
     }
     let lines = VisibleLines {
         frame: *question.frame,
@@ -74,6 +81,43 @@ struct Printer<'q> {
 }
 
 impl Printer<'_> {
+    /// How many of some pieces of one area are one shape, from the first.
+    fn one_shape(&self, pieces: &[PaintedPiece]) -> usize {
+        let facing = |piece: &PaintedPiece| self.question.facing[piece.triangle as usize];
+        let alike = pieces.iter().take_while(|piece| facing(piece) == facing(&pieces[0])).count();
+        if !self.bends(&pieces[..alike]) {
+            return alike;
+        }
+        let is_apart =
+            |i: &usize| pieces[..*i].iter().all(|earlier| self.are_apart(earlier, &pieces[*i]));
+        1 + (1..alike).take_while(is_apart).count()
+    }
+
+    /// Whether some of these pieces lie in another plane than the first.
+    fn bends(&self, pieces: &[PaintedPiece]) -> bool {
+        let mesh = self.question.mesh;
+        let corners = |piece: &PaintedPiece| mesh.triangles()[piece.triangle as usize];
+        let plane = corners(&pieces[0]);
+        let is_in = |x: &u32| plane.contains(x) || self.predicates.plane(plane, *x).is_zero();
+        pieces[1..].iter().any(|piece| !corners(piece).iter().all(is_in))
+    }
+
+    /// Whether the images of two pieces have no area in common.
+    fn are_apart(&self, first: &PaintedPiece, second: &PaintedPiece) -> bool {
+        let LineQuestion { mesh, coordinates, facing, .. } = *self.question;
+        let [one, other] = [first, second].map(|piece| piece.triangle as usize);
+        let [box_one, box_other] =
+            [one, other].map(|triangle| coordinates.bounds(mesh.triangles()[triangle]));
+        one == other
+            || !box_one.of_any_depth().overlaps(&box_other)
+            || PlanePolygon::are_apart(
+                &self.predicates,
+                [&first.polygon, &second.polygon],
+                first.polygon.shadow(facing[one]),
+                second.polygon.shadow(facing[other]),
+            )
+    }
+
     /// Some pieces of one flat area.
     fn face(&mut self, pieces: &[PaintedPiece]) -> PaintedFace {
         let border = border(pieces);
