@@ -167,7 +167,7 @@ impl<P: Policy> Seeker<'_, '_, P> {
         let question = self.question;
         let carrier = question.carrier(line);
         let object = match (self.of, line.origin) {
-            (OutlineOf::All, _) => None,
+            (OutlineOf::Scene, _) => None,
             (OutlineOf::Objects, LineOrigin::Edge(_) | LineOrigin::Loose(_)) => {
                 Some(question.source(line).0)
             }
