@@ -38,4 +38,4 @@ pub use scene::{Scene, SceneOptions};
 pub use soup::{Color, Faces, Placement, Soup, Unit, UpAxis};
 pub use standard_views::StandardView;
 pub use topology::{TJunction, Topology, TopologyError, interpenetrations};
-pub use view_coordinates::{VertexBoxes, ViewCoordinates};
+pub use view_coordinates::{RoughPoint, VertexBoxes, ViewCoordinates};

@@ -11,6 +11,7 @@ mod big;
 mod filtered;
 mod fixed;
 mod fraction;
+mod quotient;
 mod sign;
 mod significand;
 mod small;

@@ -2,7 +2,7 @@
 
 use super::formula::{
     AlongImage, Between, Combination, Depth, ImageSide, Located, Order, Orientation, Side, Skew,
-    SkewCarriers, Turn, Value, Weighted,
+    SkewCarriers, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
 use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign, SmallInteger};
@@ -198,7 +198,7 @@ fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
 
 /// The value of `formula`.
 #[inline(never)]
-fn exact_value<F: Formula>(points: &Points, formula: &F) -> BigInteger {
+pub(super) fn exact_value<F: Formula>(points: &Points, formula: &F) -> BigInteger {
     in_narrowest!(formula, points, |value| value.to_big())
         .unwrap_or_else(|| formula.evaluate(points))
 }
@@ -411,32 +411,6 @@ impl<'p, P: Policy> Predicates<'p, P> {
         let start = Located { carrier, place: Place::Start, positive_start: true };
         let end = Located { carrier, place: Place::End, positive_start: true };
         (0..3).find(|&axis| !self.decide(&AlongImage { first: start, second: end, axis }).is_zero())
-    }
-
-    /// The parameter of a cut, from 0 at the carrier's start to 1 at its
-    /// end, correct to 2^-52. The ends count with equal weight.
-    pub fn parameter(&self, carrier: Carrier, cut: Cut, values: &[Measured; 2]) -> f64 {
-        let [a, b] = values.map(|measured| measured.value);
-        let formula = Value(cut, carrier.ends[0]);
-        let vertices = carrier.as_edge().is_some();
-        if vertices && self.points.floats_hold(formula.bits(self.points.spread())) {
-            let (x, y) = (a.value().abs(), b.value().abs());
-            let span = x + y;
-            let error = (a.bound() * y + b.bound() * x) / (span * span);
-            if error < f64::EPSILON / 4.0 {
-                return x / span;
-            }
-        }
-        self.exact_parameter(carrier, cut)
-    }
-
-    /// [`Self::parameter`] by integers.
-    #[cold]
-    fn exact_parameter(&self, carrier: Carrier, cut: Cut) -> f64 {
-        let [start, end] = carrier.ends;
-        let value = |point, other| exact_value(self.points, &Weighted { cut, point, other });
-        let (a, b) = (value(start, end), value(end, start));
-        BigInteger::ratio(&a, &(a.clone() - b))
     }
 }
 

@@ -35,6 +35,7 @@ mod formula;
 mod image;
 mod ladder;
 mod offset;
+mod parameter;
 mod plane;
 mod points;
 mod probe;
@@ -52,6 +53,7 @@ pub use image::Approximation;
 pub use ladder::{
     Audited, Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough, Unfiltered,
 };
+pub use parameter::Division;
 pub use plane::{InputPlane, Plane, PlanePoint};
 pub use points::Points;
 pub use sorting::sort_by_predicates;
