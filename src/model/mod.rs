@@ -3,6 +3,7 @@
 //! with a mesh. [`surface`] has grids of heights.
 
 mod adjacency;
+mod borders;
 mod camera;
 mod components;
 mod convex;
@@ -10,6 +11,7 @@ mod faces;
 mod fans;
 mod features;
 mod frame;
+mod hinge;
 pub mod import;
 mod intersections;
 mod line_class;
@@ -24,11 +26,13 @@ mod view_coordinates;
 mod weld;
 
 pub use adjacency::Edges;
+pub use borders::{BorderSide, Borders, Stretch};
 pub use camera::{Camera, CameraError, View};
 pub use convex::ConvexParts;
 pub use fans::Fans;
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
+pub use hinge::Hinge;
 pub use intersections::{
     EdgePiercings, IntersectionLine, Intersections, Known, triangle_hierarchy,
 };

@@ -2,7 +2,7 @@
 
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
-use crate::model::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, Mesh};
+use crate::model::{EffectiveEdge, FeatureLine, FeatureOptions, Features, Mesh};
 use crate::run::Run;
 
 /// How one object is looked at.
@@ -54,10 +54,5 @@ pub(super) fn find<P: Policy>(
 }
 
 fn object_of(mesh: &Mesh, line: &FeatureLine) -> u32 {
-    let vertex = match line.origin {
-        LineOrigin::Edge(edge) => mesh.edges().ends(edge)[0],
-        LineOrigin::Loose(index) => mesh.loose_lines()[index as usize][0],
-        LineOrigin::Intersection(_) => 0,
-    };
-    mesh.object_of_vertex(vertex)
+    mesh.object_of_vertex(line.origin.names(mesh).map_or(0, |[vertex, _]| vertex))
 }

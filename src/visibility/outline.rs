@@ -167,13 +167,9 @@ impl<P: Policy> Seeker<'_, '_, P> {
         let question = self.question;
         let carrier = question.carrier(line);
         let (object, probe) = match line.origin {
-            LineOrigin::Edge(edge) => {
-                let ends = question.mesh.edges().ends(edge);
-                (question.mesh.object_of_vertex(ends[0]), question.coordinates.probe(ends))
-            }
-            LineOrigin::Loose(index) => {
-                let ends = question.mesh.loose_lines()[index as usize];
-                (question.mesh.object_of_vertex(ends[0]), question.coordinates.probe(ends))
+            LineOrigin::Edge(_) | LineOrigin::Stretch(_) | LineOrigin::Loose(_) => {
+                let ends = line.origin.vertices(question.mesh)?;
+                (question.source(line).0, question.coordinates.probe(ends))
             }
             // Within two faces; where it runs along a border of one of them,
             // that is a line too.

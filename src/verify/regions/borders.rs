@@ -96,14 +96,13 @@ impl<P: Policy> Borders<'_, '_, P> {
                 let pair = question.intersections[i as usize].triangles;
                 pair.map(|triangle| (triangle, [true; 2])).to_vec()
             }
-            LineOrigin::Edge(edge) => {
-                let ends = question.mesh.edges().ends(edge);
-                let side = |&triangle: &u32| {
-                    let third = question.mesh.third(triangle, ends);
+            LineOrigin::Edge(_) | LineOrigin::Stretch(_) => {
+                let side = |(triangle, third)| {
                     let sign = self.places.predicates().image_side(carrier, third);
                     (triangle, [sign == Sign::Positive, sign == Sign::Negative])
                 };
-                question.mesh.edges().triangles(edge).iter().map(side).collect()
+                let hinge = question.lines[line].origin.hinge();
+                hinge.into_iter().flat_map(|it| question.mesh.hinge_sides(it)).map(side).collect()
             }
         };
         own.retain(|(triangle, _)| !question.facing[*triangle as usize].is_zero());

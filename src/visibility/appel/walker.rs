@@ -247,7 +247,7 @@ impl<'q, P: Policy> Walker<'q, P> {
         });
         let edge = match line.origin {
             LineOrigin::Edge(edge) => Some(edge),
-            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+            _ => None,
         };
         let (own, probe) = match line.origin {
             LineOrigin::Intersection(index) => {
@@ -259,7 +259,7 @@ impl<'q, P: Policy> Walker<'q, P> {
                 let nowhere = [f32::NAN; 2];
                 (own, SegmentProbe::new(s.intersection(&t), nowhere, nowhere))
             }
-            LineOrigin::Edge(_) | LineOrigin::Loose(_) => {
+            LineOrigin::Edge(_) | LineOrigin::Stretch(_) | LineOrigin::Loose(_) => {
                 let [Some(a), Some(b)] = vertices else {
                     return None;
                 };

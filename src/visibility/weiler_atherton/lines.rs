@@ -92,6 +92,10 @@ impl<P: Policy> Worker<'_, '_, P> {
         let line = &question.lines[index];
         let own: Vec<u32> = match line.origin {
             LineOrigin::Edge(edge) => question.mesh.edges().triangles(edge).to_vec(),
+            LineOrigin::Stretch(index) => {
+                let sides = question.mesh.borders().sides(index, true);
+                sides.iter().map(|side| side.triangle).collect()
+            }
             LineOrigin::Intersection(i) => question.intersections[i as usize].triangles.to_vec(),
             LineOrigin::Loose(_) => Vec::new(),
         };
