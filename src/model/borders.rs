@@ -370,7 +370,11 @@ impl<'a> Sweep<'a> {
     fn add_stretch(&self, open: &Open, end: u32, borders: &mut Borders) {
         let ends = [open.start.min(end), open.start.max(end)];
         let mut own = open.own.clone();
-        own.sort_unstable();
+        // By their places along the line, whatever their numbers.
+        own.sort_unstable_by(|&a, &b| {
+            let [[a, b], [c, d]] = [a, b].map(|i| self.segments[i as usize].along(self.axis));
+            a.0.total_cmp(&c.0).then(b.0.total_cmp(&d.0))
+        });
         own.dedup();
         let own_sides = own.len() as u32;
         if let Faces::Seam(_, other) = open.faces {

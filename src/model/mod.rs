@@ -16,6 +16,7 @@ pub mod import;
 mod intersections;
 mod line_class;
 mod mesh;
+mod plates;
 mod sanity;
 mod scene;
 mod soup;
@@ -24,6 +25,7 @@ pub mod surface;
 mod topology;
 mod view_coordinates;
 mod weld;
+mod world_boxes;
 
 pub use adjacency::Edges;
 pub use borders::{BorderSide, Borders, Stretch};

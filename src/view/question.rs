@@ -110,6 +110,17 @@ impl<'a> LineQuestion<'a> {
         }
     }
 
+    /// The triangles that contain `line` by what it is, each with its corner
+    /// beside the line if it ends there.
+    pub fn faces_of(&self, line: &FeatureLine) -> Vec<(u32, Option<u32>)> {
+        if let LineOrigin::Intersection(index) = line.origin {
+            let crossing = &self.intersections[index as usize];
+            return (0..2).flat_map(|surface| crossing.faces(self.mesh, surface)).collect();
+        }
+        let sides = line.origin.hinge().into_iter().flat_map(|it| self.mesh.hinge_sides(it));
+        sides.map(|(triangle, third)| (triangle, Some(third))).collect()
+    }
+
     /// The object of `line`, the first face's of an intersection line, and
     /// which of its edges or faces it is, by their numbers in the file.
     pub fn source(&self, line: &FeatureLine) -> (u32, LineSource) {

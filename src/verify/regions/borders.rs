@@ -90,21 +90,14 @@ impl<P: Policy> Borders<'_, '_, P> {
     fn own(&self, line: usize) -> Vec<(u32, [bool; 2])> {
         let question = self.question;
         let carrier = self.places.carrier(line);
-        let mut own = match question.lines[line].origin {
-            LineOrigin::Loose(_) => Vec::new(),
-            LineOrigin::Intersection(i) => {
-                let pair = question.intersections[i as usize].triangles;
-                pair.map(|triangle| (triangle, [true; 2])).to_vec()
-            }
-            LineOrigin::Edge(_) | LineOrigin::Stretch(_) => {
-                let side = |(triangle, third)| {
-                    let sign = self.places.predicates().image_side(carrier, third);
-                    (triangle, [sign == Sign::Positive, sign == Sign::Negative])
-                };
-                let hinge = question.lines[line].origin.hinge();
-                hinge.into_iter().flat_map(|it| question.mesh.hinge_sides(it)).map(side).collect()
-            }
+        let sides = |third: Option<u32>| {
+            let Some(third) = third else { return [true; 2] };
+            let sign = self.places.predicates().image_side(carrier, third);
+            [sign == Sign::Positive, sign == Sign::Negative]
         };
+        let faces = question.faces_of(&question.lines[line]);
+        let mut own: Vec<_> =
+            faces.into_iter().map(|(triangle, third)| (triangle, sides(third))).collect();
         own.retain(|(triangle, _)| !question.facing[*triangle as usize].is_zero());
         own
     }

@@ -90,17 +90,9 @@ impl<P: Policy> Worker<'_, '_, P> {
     fn pieces(&self, index: usize) -> Result<Vec<ExactPiece>, RegionsError> {
         let question = self.question;
         let line = &question.lines[index];
-        let own: Vec<u32> = match line.origin {
-            LineOrigin::Edge(edge) => question.mesh.edges().triangles(edge).to_vec(),
-            LineOrigin::Stretch(index) => {
-                let sides = question.mesh.borders().sides(index, true);
-                sides.iter().map(|side| side.triangle).collect()
-            }
-            LineOrigin::Intersection(i) => question.intersections[i as usize].triangles.to_vec(),
-            LineOrigin::Loose(_) => Vec::new(),
-        };
+        let own = question.faces_of(line);
         let mut own: Vec<&Region> =
-            own.iter().filter_map(|&triangle| self.regions.of_triangle(triangle)).collect();
+            own.iter().filter_map(|&(triangle, _)| self.regions.of_triangle(triangle)).collect();
         own.sort_unstable_by_key(|region| region.triangles.start);
         own.dedup_by_key(|region| region.triangles.start);
         if own.is_empty() {
