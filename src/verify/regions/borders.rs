@@ -105,10 +105,19 @@ impl<P: Policy> Borders<'_, '_, P> {
     /// A visible piece at which no region of its faces ends.
     fn visible_only(&mut self, line: usize, places: [Place; 2]) {
         let own = self.own(line);
-        let is_crossing = matches!(self.question.lines[line].origin, LineOrigin::Intersection(_));
-        // Where one of two crossing faces is seen from the edge, the other
+        // Where one of two crossing surfaces is seen from the edge, the other
         // is seen on both sides.
-        if own.is_empty() || (is_crossing && own.len() < 2) {
+        let is_edge_on =
+            |&(triangle, _): &(u32, _)| self.question.facing[triangle as usize].is_zero();
+        let seen_from_edge = match self.question.lines[line].origin {
+            LineOrigin::Intersection(index) => {
+                let crossing = &self.question.intersections[index as usize];
+                let mut surfaces = [0, 1].into_iter();
+                surfaces.any(|i| crossing.faces(self.question.mesh, i).all(|it| is_edge_on(&it)))
+            }
+            _ => false,
+        };
+        if own.is_empty() || seen_from_edge {
             self.report.surplus.faceless += 1;
             return;
         }

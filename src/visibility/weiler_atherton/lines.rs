@@ -132,11 +132,15 @@ impl<P: Policy> Worker<'_, '_, P> {
         let image = match (carrier.as_edge(), origin) {
             (Some([a, b]), _) => ImageLine::Edge([a, b]),
             (None, LineOrigin::Intersection(i)) => {
-                let faces = question.intersections[i as usize].triangles;
-                if faces.iter().any(|&face| question.facing[face as usize].is_zero()) {
+                let crossing = &question.intersections[i as usize];
+                let faces = crossing.triangles;
+                if let Some(hinge) = crossing.along.into_iter().flatten().next() {
+                    ImageLine::Edge(question.mesh.hinge_ends(hinge))
+                } else if faces.iter().any(|&face| question.facing[face as usize].is_zero()) {
                     return None;
+                } else {
+                    ImageLine::Planes(faces.map(|face| question.mesh.triangles()[face as usize]))
                 }
-                ImageLine::Planes(faces.map(|face| question.mesh.triangles()[face as usize]))
             }
             _ => return None,
         };
