@@ -146,6 +146,13 @@ fn add_face(
         push([rings[0][0], rings[0][1], rings[0][2]]);
         return;
     }
+    // The same triangles wherever the outline begins.
+    if let [ring] = &mut rings[..] {
+        let place = |corner: &usize| vertices[ring[*corner] as usize].to_array();
+        let least = (0..ring.len())
+            .min_by(|a, b| place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal));
+        ring.rotate_left(least.unwrap_or(0));
+    }
     let positions: Vec<Vec<DVec3>> = rings
         .iter()
         .map(|ring| ring.iter().map(|&vertex| vertices[vertex as usize]).collect())

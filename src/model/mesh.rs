@@ -6,6 +6,7 @@
 //! open, non-manifold, inconsistently wound, and pass through itself.
 
 use super::adjacency::edges_of;
+use super::borders::Borders;
 use super::faces::{Triangles, triangles_of};
 use super::weld::{merge_close, weld};
 use super::{Color, Edges, Soup};
@@ -73,6 +74,7 @@ pub struct Mesh {
     loose_lines: Vec<[u32; 2]>,
     objects: Vec<Object>,
     colors: Vec<Option<Color>>,
+    borders: Borders,
     report: MeshReport,
 }
 
@@ -140,6 +142,8 @@ impl Mesh {
         if mesh.triangles.is_empty() && mesh.loose_lines.is_empty() {
             return Err(MeshError::Empty);
         }
+        run.check()?;
+        mesh.borders = Borders::find(&mesh);
         Ok(mesh)
     }
 
@@ -236,6 +240,11 @@ impl Mesh {
     /// Edges and their triangles.
     pub fn edges(&self) -> &Edges {
         &self.edges
+    }
+
+    /// Edges of one face that lie on others of their kind.
+    pub fn borders(&self) -> &Borders {
+        &self.borders
     }
 
     /// Loose lines (OBJ `l`).

@@ -3,6 +3,7 @@
 //! with a mesh. [`surface`] has grids of heights.
 
 mod adjacency;
+mod borders;
 mod camera;
 mod components;
 mod convex;
@@ -10,10 +11,12 @@ mod faces;
 mod fans;
 mod features;
 mod frame;
+mod hinge;
 pub mod import;
 mod intersections;
 mod line_class;
 mod mesh;
+mod plates;
 mod sanity;
 mod scene;
 mod soup;
@@ -22,13 +25,16 @@ pub mod surface;
 mod topology;
 mod view_coordinates;
 mod weld;
+mod world_boxes;
 
 pub use adjacency::Edges;
+pub use borders::{BorderSide, Borders, Stretch};
 pub use camera::{Camera, CameraError, View};
 pub use convex::ConvexParts;
 pub use fans::Fans;
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
+pub use hinge::Hinge;
 pub use intersections::{
     EdgePiercings, IntersectionLine, Intersections, Known, triangle_hierarchy,
 };

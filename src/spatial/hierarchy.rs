@@ -66,7 +66,7 @@ impl Hierarchy {
     }
 
     /// The items in the order of the lowest groups.
-    pub(super) fn items(&self) -> &[u32] {
+    pub fn items(&self) -> &[u32] {
         &self.items
     }
 

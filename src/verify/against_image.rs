@@ -11,7 +11,7 @@
 
 use super::places::Places;
 use crate::kernel::predicates::Policy;
-use crate::model::{FeatureLine, LineClass, LineOrigin, View};
+use crate::model::{FeatureLine, LineClass, LineOrigin, Mesh, View};
 use crate::raster::{BoxTree, Probe, Samples, SheetCounter, ray_cast_at};
 use crate::run::{Cancelled, Run};
 use crate::spatial::Bounds;
@@ -104,16 +104,26 @@ impl ImageCheck {
                 return Verdict::Skipped;
             }
         }
-        if self.is_near_edge(line, point) { Verdict::Skipped } else { Verdict::Visible }
+        if self.is_near_edge(question.mesh, line, point) {
+            Verdict::Skipped
+        } else {
+            Verdict::Visible
+        }
     }
 
     /// Whether the image may change near a point of a line.
-    fn is_near_edge(&self, line: &FeatureLine, point: DVec2) -> bool {
+    fn is_near_edge(&self, mesh: &Mesh, line: &FeatureLine, point: DVec2) -> bool {
+        let own = |origin: LineOrigin| match (line.origin, origin) {
+            (LineOrigin::Stretch(index), LineOrigin::Edge(edge)) => {
+                mesh.borders().sides(index, true).iter().any(|side| side.edge == edge)
+            }
+            (own, origin) => own == origin,
+        };
         let reach = DVec2::splat(BAND * self.samples.pixel());
         let mut near = false;
         self.tree.in_front(&image_box(point - reach, point + reach), |index| {
             let (origin, [a, b]) = self.edges[index as usize];
-            near |= origin != line.origin && distance(point, a, b) < reach.x;
+            near |= !own(origin) && distance(point, a, b) < reach.x;
         });
         near
     }

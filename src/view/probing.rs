@@ -2,7 +2,7 @@
 
 use super::LineQuestion;
 use crate::kernel::predicates::{Point, Policy, Predicates};
-use crate::model::{FeatureLine, LineOrigin, RoughPoint};
+use crate::model::{FeatureLine, Hinge, LineOrigin, RoughPoint};
 use crate::spatial::{Bounds, SegmentProbe};
 
 /// A line in narrow view coordinates, rounded outward.
@@ -44,6 +44,7 @@ impl LineQuestion<'_> {
         };
         match line.origin {
             LineOrigin::Edge(edge) => between(self.mesh.edges().ends(edge)),
+            LineOrigin::Stretch(index) => between(self.mesh.hinge_ends(Hinge::Stretch(index))),
             LineOrigin::Loose(index) => between(self.mesh.loose_lines()[index as usize]),
             LineOrigin::Intersection(index) => self.probe_intersection(predicates, index),
         }

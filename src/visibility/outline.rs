@@ -168,9 +168,10 @@ impl<P: Policy> Seeker<'_, '_, P> {
         let carrier = question.carrier(line);
         let object = match (self.of, line.origin) {
             (OutlineOf::Scene, _) => None,
-            (OutlineOf::Objects, LineOrigin::Edge(_) | LineOrigin::Loose(_)) => {
-                Some(question.source(line).0)
-            }
+            (
+                OutlineOf::Objects,
+                LineOrigin::Edge(_) | LineOrigin::Stretch(_) | LineOrigin::Loose(_),
+            ) => Some(question.source(line).0),
             // Within two faces; where it runs along a border of one of them,
             // that is a line too.
             (OutlineOf::Objects, LineOrigin::Intersection(_)) => return None,

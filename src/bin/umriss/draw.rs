@@ -249,7 +249,8 @@ impl Draw {
         }
         let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(false);
-        if question.lines.iter().any(|line| !matches!(line.origin, LineOrigin::Edge(_))) {
+        let is_of_faces = |origin| matches!(origin, LineOrigin::Edge(_) | LineOrigin::Stretch(_));
+        if !question.lines.iter().all(|line| is_of_faces(line.origin)) {
             self.session.note(paint::LINES_LEFT_OUT);
         }
         let notes = DrawingNotes { unit: Some(scene.unit), ..DrawingNotes::default() };
@@ -286,7 +287,7 @@ impl Draw {
     fn refuse_flags_of_models(&self) -> Result<(), Failure> {
         let settled = [
             ("the camera", self.camera.any()),
-            ("--crease and --edges", self.lines.any()),
+            ("--crease, --intersections, --seams and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
             ("--outline-of", self.style.outline_of.is_some()),
             ("objects", self.objects.any()),

@@ -44,7 +44,7 @@ mod sorting;
 
 pub use carrier::{Carrier, Cut, Piercing, Place, Point, Probe};
 pub use chart::{Chart, ImageLine, ImagePoint};
-pub use collinear::are_collinear;
+pub use collinear::{are_collinear, line_fingerprints};
 pub use estimate::Estimate;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};

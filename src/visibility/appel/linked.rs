@@ -100,7 +100,7 @@ impl Part {
 fn plain(question: &LineQuestion<'_>, line: &FeatureLine) -> Option<Link> {
     match line.origin {
         LineOrigin::Edge(edge) => Some(Link::plain(question.mesh.edges().ends(edge))),
-        LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+        _ => None,
     }
 }
 

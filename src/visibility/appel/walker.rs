@@ -246,11 +246,11 @@ impl<'q, P: Policy> Walker<'q, P> {
         });
         let edge = match line.origin {
             LineOrigin::Edge(edge) => Some(edge),
-            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+            _ => None,
         };
         let own = match line.origin {
             LineOrigin::Intersection(index) => question.intersections[index as usize].triangles,
-            LineOrigin::Edge(_) | LineOrigin::Loose(_) => [NONE; 2],
+            LineOrigin::Edge(_) | LineOrigin::Stretch(_) | LineOrigin::Loose(_) => [NONE; 2],
         };
         let walk = Walk {
             carrier,

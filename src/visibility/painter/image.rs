@@ -10,7 +10,7 @@
 //! cancelled, and no line shows through.
 
 use super::PainterError;
-use crate::kernel::predicates::{Exact, PlanePoint, Predicates};
+use crate::kernel::predicates::{Exact, InputPlane, PlanePoint, Predicates};
 use crate::model::{LineClass, LineOrigin, Mesh};
 use crate::polygon::{PlaneCorner, PlanePolygon, Side};
 use crate::run::Counters;
@@ -34,7 +34,7 @@ pub fn painted_image(
     super::check_view(question)?;
     let predicates = Predicates::<Exact>::new(question.points);
     let mut printer =
-        Printer { question, predicates, classes: classes(question), pieces: Vec::new() };
+        Printer { question, predicates, drawn: drawn_edges(question), pieces: Vec::new() };
     let mut faces = Vec::new();
     for run in order.pieces.chunk_by(|a, b| a.area == b.area) {
         let mut rest = run;
@@ -53,13 +53,28 @@ pub fn painted_image(
     Ok((faces, lines))
 }
 
-/// The class of each edge that is a line of the question.
-fn classes(question: &LineQuestion<'_>) -> FxHashMap<[u32; 2], LineClass> {
-    let edges = question.lines.iter().filter_map(|line| match line.origin {
-        LineOrigin::Edge(edge) => Some((sorted(question.mesh.edges().ends(edge)), line.class)),
-        _ => None,
-    });
-    edges.collect()
+/// What is drawn of the edges that are lines of the question, as a whole or in
+/// stretches: vertices at the ends, and the class.
+fn drawn_edges(question: &LineQuestion<'_>) -> FxHashMap<[u32; 2], Vec<([u32; 2], LineClass)>> {
+    let mesh = question.mesh;
+    let mut drawn: FxHashMap<[u32; 2], Vec<([u32; 2], LineClass)>> = FxHashMap::default();
+    for line in question.lines {
+        match line.origin {
+            LineOrigin::Edge(edge) => {
+                let ends = mesh.edges().ends(edge);
+                drawn.entry(ends).or_default().push((ends, line.class));
+            }
+            LineOrigin::Stretch(index) => {
+                let ends = mesh.borders().stretches()[index as usize].ends;
+                for side in mesh.borders().sides(index, false) {
+                    let own = mesh.edges().ends(side.edge);
+                    drawn.entry(own).or_default().push((ends, line.class));
+                }
+            }
+            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => {}
+        }
+    }
+    drawn
 }
 
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
@@ -76,7 +91,8 @@ struct Stretch {
 struct Printer<'q> {
     question: &'q LineQuestion<'q>,
     predicates: Predicates<'q, Exact>,
-    classes: FxHashMap<[u32; 2], LineClass>,
+    /// By the vertices of an edge.
+    drawn: FxHashMap<[u32; 2], Vec<([u32; 2], LineClass)>>,
     pieces: Vec<LinePiece>,
 }
 
@@ -125,8 +141,10 @@ impl Printer<'_> {
         let object = pieces[0].object;
         for stretch in &border {
             let Side::Edge { ends, is_inner: false } = stretch.side else { continue };
-            if let Some(&class) = self.classes.get(&sorted(ends)) {
-                self.draw(stretch, ends, class, object);
+            for (part, class) in self.drawn.get(&sorted(ends)).cloned().unwrap_or_default() {
+                if let Some(points) = self.common(stretch.ends, ends, part) {
+                    self.draw(points, ends, class, object);
+                }
             }
         }
         let rings = rings(&border);
@@ -144,8 +162,40 @@ impl Printer<'_> {
         PaintedFace { region, lines: first..self.pieces.len() as u32 }
     }
 
-    fn draw(&mut self, stretch: &Stretch, ends: [u32; 2], class: LineClass, object: u32) {
-        let [start, end] = stretch.ends.map(|point| self.place(point));
+    /// What a side, which runs along an edge from its first vertex towards its
+    /// second, and a part of that edge between two vertices have in common.
+    fn common(
+        &self,
+        [start, end]: [PlanePoint; 2],
+        edge: [u32; 2],
+        part: [u32; 2],
+    ) -> Option<[PlanePoint; 2]> {
+        if sorted(edge) == part {
+            return Some([start, end]);
+        }
+        // Along an axis the points of a line are in order.
+        let beyond = |point: PlanePoint, vertex: u32, axis: u8| {
+            self.predicates.above(InputPlane::Across(vertex, axis).into(), point)
+        };
+        let second = PlanePoint::Vertex(edge[1]);
+        let axis = (0..3).find(|&axis| !beyond(second, edge[0], axis).is_zero())?;
+        let onward = beyond(second, edge[0], axis);
+        let is_past = |point: PlanePoint, vertex: u32| beyond(point, vertex, axis) == onward;
+        let [first, last] = match is_past(PlanePoint::Vertex(part[1]), part[0]) {
+            true => part,
+            false => [part[1], part[0]],
+        };
+        let is_before = |point, vertex| beyond(point, vertex, axis) == -onward;
+        (is_before(start, last) && is_past(end, first)).then(|| {
+            [
+                if is_before(start, first) { PlanePoint::Vertex(first) } else { start },
+                if is_past(end, last) { PlanePoint::Vertex(last) } else { end },
+            ]
+        })
+    }
+
+    fn draw(&mut self, points: [PlanePoint; 2], ends: [u32; 2], class: LineClass, object: u32) {
+        let [start, end] = points.map(|point| self.place(point));
         let mesh = self.question.mesh;
         let run = self.pieces.len() as u32;
         self.pieces.push(LinePiece {

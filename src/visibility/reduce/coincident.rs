@@ -463,7 +463,7 @@ fn compare_sources(question: &LineQuestion<'_>, x: u32, y: u32) -> Ordering {
             let triangles = question.intersections[index as usize].triangles;
             Some(triangles.map(|triangle| question.mesh.object_of_triangle(triangle)))
         }
-        LineOrigin::Edge(_) | LineOrigin::Loose(_) => None,
+        _ => None,
     };
     let ends = |line: u32| {
         let carrier = question.carrier(&question.lines[line as usize]);

@@ -85,8 +85,11 @@ fn round_point<P: Policy>(
     match point {
         Point::Vertex(vertex) => question.coordinates.point(vertex),
         Point::Piercing(piercing) => {
-            let carrier = Carrier::edge(piercing.edge[0], piercing.edge[1]);
-            let ends = piercing.edge.map(|vertex| question.coordinates.point(vertex));
+            // As the edge itself is rounded there.
+            let [a, b] = piercing.edge;
+            let edge = [a.min(b), a.max(b)];
+            let carrier = Carrier::edge(edge[0], edge[1]);
+            let ends = edge.map(|vertex| question.coordinates.point(vertex));
             let division = predicates.division(carrier);
             round_cut(predicates, (carrier, &division), Cut::Face(piercing.face), ends)
         }

@@ -170,13 +170,9 @@ impl<P: Policy> Worker<'_, '_, P> {
 
     /// The triangles of a line that are not edge-on.
     fn own_triangles(&self, line: &FeatureLine) -> Vec<u32> {
-        let own: &[u32] = match line.origin {
-            LineOrigin::Edge(edge) => self.question.mesh.edges().triangles(edge),
-            LineOrigin::Intersection(i) => &self.question.intersections[i as usize].triangles,
-            LineOrigin::Loose(_) => &[],
-        };
         let has_image = |triangle: &u32| !self.question.facing[*triangle as usize].is_zero();
-        own.iter().copied().filter(has_image).collect()
+        let own = self.question.faces_of(line).into_iter().map(|(triangle, _)| triangle);
+        own.filter(has_image).collect()
     }
 
     /// Whether there is a region in whose plane a line lies that has these
@@ -224,8 +220,13 @@ impl<P: Policy> Worker<'_, '_, P> {
         let image = match (carrier.as_edge(), line.origin) {
             (Some([a, b]), _) => ImageLine::Edge([a, b]),
             (None, LineOrigin::Intersection(i)) => {
-                let faces = question.intersections[i as usize].triangles;
-                ImageLine::Planes(faces.map(|face| question.mesh.triangles()[face as usize]))
+                let crossing = &question.intersections[i as usize];
+                match crossing.along.into_iter().flatten().next() {
+                    Some(hinge) => ImageLine::Edge(question.mesh.hinge_ends(hinge)),
+                    None => ImageLine::Planes(
+                        crossing.triangles.map(|face| question.mesh.triangles()[face as usize]),
+                    ),
+                }
             }
             (None, _) => return None,
         };

@@ -13,4 +13,4 @@ pub(crate) use compare::{assert_same_picture, distance};
 pub(crate) use flats::{flat_scene, look_at};
 pub(crate) use random::{Random, rounds};
 pub(crate) use shapes::{cuboid, polygons};
-pub(crate) use soups::{Kind, random_soups};
+pub(crate) use soups::{Kind, random_card, random_soups};
