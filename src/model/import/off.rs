@@ -9,7 +9,7 @@
 
 use glam::DVec3;
 
-use super::super::{Color, Soup};
+use super::super::{Color, FacePlace, Soup};
 use super::Found;
 use super::error::{Fault, Read, quote};
 use super::text::{Text, integer};
@@ -105,6 +105,7 @@ impl Reader<'_> {
         if !self.text.next_full_line() {
             return Err(ends_early(&self.text, "faces", number, count));
         }
+        let line = self.text.line();
         let corner_count = self.text.natural("the number of corners")?;
         if corner_count < 2 {
             let message = format!("a face with {corner_count} corners, expected 3 at least");
@@ -118,6 +119,8 @@ impl Reader<'_> {
             self.soup.lines.push([a, b]);
             return Ok(());
         }
+        let place = FacePlace { number, line: Some(line) };
+        self.soup.places.note(self.soup.faces.len() as u32, place);
         let color = color(&mut self.text)?;
         self.soup.faces.push(corners, []);
         self.colors.push(color);

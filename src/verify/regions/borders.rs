@@ -103,7 +103,7 @@ impl<P: Policy> Borders<'_, '_, P> {
                     let sign = self.places.predicates().image_side(carrier, third);
                     (triangle, [sign == Sign::Positive, sign == Sign::Negative])
                 };
-                question.mesh.edges().triangles(edge).iter().map(side).collect()
+                question.mesh.faces_at(edge).iter().map(side).collect()
             }
         };
         own.retain(|(triangle, _)| !question.facing[*triangle as usize].is_zero());

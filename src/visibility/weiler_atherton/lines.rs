@@ -91,7 +91,7 @@ impl<P: Policy> Worker<'_, '_, P> {
         let question = self.question;
         let line = &question.lines[index];
         let own: Vec<u32> = match line.origin {
-            LineOrigin::Edge(edge) => question.mesh.edges().triangles(edge).to_vec(),
+            LineOrigin::Edge(edge) => question.mesh.faces_at(edge),
             LineOrigin::Intersection(i) => question.intersections[i as usize].triangles.to_vec(),
             LineOrigin::Loose(_) => Vec::new(),
         };

@@ -21,7 +21,7 @@ use glam::DVec3;
 
 use self::header::{Element, Header, Role};
 use self::rows::Rows;
-use super::super::{Color, Soup};
+use super::super::{Color, FacePlace, Soup};
 use super::Found;
 use super::error::Read;
 use crate::run::Run;
@@ -91,12 +91,14 @@ impl Reader {
 
     fn face(&mut self, element: &Element<'_>, number: u64, rows: &mut Rows<'_>) -> Read<()> {
         self.corners.clear();
+        let place = FacePlace { number, line: rows.line() };
         self.row(element, rows)?;
         if self.corners.len() < 3 {
             let count = self.corners.len();
             let message = format!("face {number} has {count} corners, expected 3 at least");
             return Err(rows.fault_of_row(message));
         }
+        self.soup.places.note(self.soup.faces.len() as u32, place);
         self.soup.faces.push(&self.corners, []);
         let channels = [Role::Red, Role::Green, Role::Blue];
         let color = element.has_color.then(|| {
