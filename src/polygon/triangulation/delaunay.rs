@@ -11,7 +11,7 @@
 
 use super::curve::along_hilbert_curve;
 use super::outline::Insideness;
-use super::{Outline, TriangulationError};
+use super::Outline;
 use glam::DVec2;
 use rustc_hash::FxHashMap;
 use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
@@ -35,11 +35,15 @@ impl HasPosition for Vertex {
     }
 }
 
+/// Two edges of an outline cross, and there is no point where they do.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EdgesCross;
+
 type Net = ConstrainedDelaunayTriangulation<Vertex>;
 
 /// The triangles inside of an outline, by its points, counterclockwise.
 /// Nothing if its coordinates span more orders than are decided exactly.
-pub(super) fn triangulate(outline: &Outline) -> Option<Result<Vec<[u32; 3]>, TriangulationError>> {
+pub(super) fn triangulate(outline: &Outline) -> Option<Result<Vec<[u32; 3]>, EdgesCross>> {
     let scale = Scale::of(&outline.points)?;
     let mut net = Net::with_capacity(
         outline.points.len(),
@@ -98,13 +102,13 @@ impl Borders {
         mut net: Net,
         handles: &[FixedVertexHandle],
         outline: &Outline,
-    ) -> Result<Self, TriangulationError> {
+    ) -> Result<Self, EdgesCross> {
         let mut changes = FxHashMap::default();
         for edge in &outline.edges {
             let [from, to] = edge.ends.map(|point| handles[point as usize]);
             let parts = net.try_add_constraint(from, to);
             if parts.is_empty() {
-                return Err(TriangulationError::Crossing(edge.ring as usize));
+                return Err(EdgesCross);
             }
             for part in parts {
                 // Points are numbered along every line, so parts run upwards.

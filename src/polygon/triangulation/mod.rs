@@ -14,7 +14,8 @@
 //!    that is walked both ways, such as the bridge to a hole, bounds nothing.
 //!    It becomes a constrained Delaunay triangulation ([`delaunay`], in
 //!    `spade`) or, where coordinates span more orders than that decides
-//!    exactly, one by sweeping ([`sweep`]). Triangles inside are kept.
+//!    exactly, or edges seem to cross, one by sweeping ([`sweep`]). Triangles
+//!    inside are kept.
 //!
 //! So rings may touch themselves and one another in corners and along edges,
 //! and may run out and back. What lies inside is what the outer ring goes
@@ -149,9 +150,11 @@ fn cut<R: AsRef<[DVec3]>>(
     projection: &Projection,
 ) -> Result<Vec<[u32; 3]>, TriangulationError> {
     let outline = Outline::new(rings, corners, projection)?;
+    // Edges may cross where they lie on others and bound nothing together with
+    // them, which the sweep alone can tell.
     let triangles = match delaunay::triangulate(&outline) {
-        Some(triangles) => triangles?,
-        None => sweep::triangulate(&outline)?,
+        Some(Ok(triangles)) => triangles,
+        None | Some(Err(_)) => sweep::triangulate(&outline)?,
     };
     if triangles.is_empty() {
         return Err(TriangulationError::ZeroArea);
@@ -203,3 +206,6 @@ fn least_first([a, b, c]: [u32; 3]) -> [u32; 3] {
         [c, a, b]
     }
 }
+
+#[cfg(test)]
+mod tests;

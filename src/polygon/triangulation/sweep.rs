@@ -12,14 +12,19 @@
 //!
 //! A point on an edge divides the edge. Edges that run out from one point in
 //! one direction become one up to the nearer end. Two edges that cross are
-//! neighbours on the line before they do, and are refused then. Nothing is
-//! asked but the order of two points and the turn of three. O(n log n) of
-//! either, for n points and edges; chains are joined the shorter to the longer.
+//! neighbours on the line before they do, and are refused then, unless they
+//! cross at a point, which will divide them. Nothing else is asked but the order
+//! of two points and the turn of three. O(n log n) of either, for n points and
+//! edges; chains are joined the shorter to the longer.
 
 use super::outline::{Edge, Insideness};
 use super::{Outline, TriangulationError};
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::orientation;
+use crate::kernel::predicates::{
+    Chart, Exact, Eye, ImageLine, ImagePoint, Points, Predicates, orientation,
+};
+use glam::DVec3;
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -31,6 +36,7 @@ pub(super) fn triangulate(outline: &Outline) -> Result<Vec<[u32; 3]>, Triangulat
         met: Vec::new(),
         line: Vec::new(),
         triangles: Vec::new(),
+        points: OnceCell::new(),
     };
     for edge in &outline.edges {
         sweep.leaving[edge.ends[0] as usize].push(*edge);
@@ -71,6 +77,8 @@ struct Sweep<'a> {
     /// Which of them the line meets, from below.
     line: Vec<u32>,
     triangles: Vec<[u32; 3]>,
+    /// The points of the outline, for questions about crossings.
+    points: OnceCell<Points>,
 }
 
 impl Sweep<'_> {
@@ -214,10 +222,34 @@ impl Sweep<'_> {
         let are_apart = |[a, b]: [u32; 2], [c, d]: [u32; 2]| {
             !self.turn(a, b, c).is_opposite(self.turn(a, b, d))
         };
-        if are_apart(below.ends, above.ends) || are_apart(above.ends, below.ends) {
+        let cross = !are_apart(below.ends, above.ends) && !are_apart(above.ends, below.ends);
+        if !cross || self.is_crossing_a_point(below.ends, above.ends) {
             return Ok(());
         }
         Err(TriangulationError::Crossing(below.ring.max(above.ring) as usize))
+    }
+
+    /// Whether there is a point where two edges cross.
+    fn is_crossing_a_point(&self, below: [u32; 2], above: [u32; 2]) -> bool {
+        let points = self.points.get_or_init(|| {
+            let vertices: Vec<DVec3> = self.outline.points.iter().map(|p| p.extend(0.0)).collect();
+            Points::new(&vertices, Eye::Towards(DVec3::Z), None)
+        });
+        let Some(chart) = Chart::new(points) else { return false };
+        let predicates = Predicates::<Exact>::new(points);
+        // The lower edge turns left of the upper one.
+        let crossing = ImagePoint::Crossing([above, below].map(ImageLine::Edge));
+        let order = |point: u32| predicates.sweep(&chart, ImagePoint::Vertex(point), crossing);
+        let (mut start, mut end) = (below[0].max(above[0]), below[1].min(above[1]));
+        while start < end {
+            let middle = start + (end - start) / 2;
+            match order(middle) {
+                Ordering::Less => start = middle + 1,
+                Ordering::Equal => return true,
+                Ordering::Greater => end = middle,
+            }
+        }
+        false
     }
 
     /// Whether a point to the right sees the side of a chain from `low` up
