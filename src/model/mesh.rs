@@ -7,9 +7,10 @@
 
 use super::adjacency::edges_of;
 use super::borders::Borders;
-use super::faces::{Triangles, triangles_of};
+use super::crossed::CrossedFaces;
+use super::faces::{Source, Triangles, are_polygonal};
 use super::weld::{merge_close, weld};
-use super::{Color, Edges, Soup};
+use super::{Color, Edges, FacePlace, FacePlaces, Soup};
 use crate::run::{Cancelled, Run, map_chunks, map_small};
 use glam::DVec3;
 use std::ops::Range;
@@ -27,6 +28,8 @@ pub struct Object {
     pub faces: Range<u32>,
     /// Its loose lines.
     pub loose_lines: Range<u32>,
+    /// Where its faces stand in their file.
+    pub places: FacePlaces,
 }
 
 /// What was done to the faces and vertices of the files.
@@ -38,11 +41,12 @@ pub struct MeshReport {
     pub merged_vertices: usize,
     /// Faces without area, set aside.
     pub zero_area_faces: usize,
-    /// Faces with the vertices of an earlier one, set aside.
+    /// Faces that are an earlier one again, whichever way round, set aside.
     pub duplicate_faces: usize,
     /// Polygons whose corners are not coplanar, taken as their triangles.
     pub nonplanar_faces: usize,
-    /// Polygons that cross themselves, taken as a fan.
+    /// Polygons that cross themselves. Their crossings, rounded, are vertices;
+    /// those that stay crossed however often are taken as their edges.
     pub crossed_faces: usize,
     /// Loose lines of length zero, set aside.
     pub zero_length_lines: usize,
@@ -75,6 +79,7 @@ pub struct Mesh {
     objects: Vec<Object>,
     colors: Vec<Option<Color>>,
     borders: Borders,
+    crossed_faces: Vec<u32>,
     report: MeshReport,
 }
 
@@ -108,32 +113,53 @@ impl Mesh {
     ) -> Result<Self, MeshError> {
         run.take(soups.iter().map(bytes_of_mesh).sum())?;
         let mut report = MeshReport::default();
-        let (positions, first_vertex) = take_positions(&mut soups, tolerance, &mut report)?;
-        run.check()?;
-        let welded = weld(&positions, &first_vertex);
-        run.check()?;
-        report.welded_vertices = positions.len() - welded.first_old.len();
-        // Adding 0 turns -0 into 0, so that equal positions have equal bits.
-        let vertices = map_small(welded.first_old.len(), |i| {
-            positions[welded.first_old[i] as usize] + DVec3::ZERO
-        });
+        let (mut positions, mut first_vertex) = take_positions(&mut soups, tolerance, &mut report)?;
+        let mut crossed = CrossedFaces::default();
+        let (welded, vertices, mut triangles) = loop {
+            run.check()?;
+            let welded = weld(&positions, &first_vertex);
+            run.check()?;
+            report.welded_vertices = positions.len() - welded.first_old.len();
+            // Adding 0 turns -0 into 0, so that equal positions have equal bits.
+            let vertices = map_small(welded.first_old.len(), |i| {
+                positions[welded.first_old[i] as usize] + DVec3::ZERO
+            });
+            if !are_polygonal(&soups) {
+                positions = Vec::new();
+            }
+            run.check()?;
+            let source = Source {
+                soups: &soups,
+                first_vertex: &first_vertex,
+                new_of_old: &welded.new_of_old,
+                vertices: &vertices,
+                crossed: &crossed,
+            };
+            let mut triangles = Triangles::of(&source, run);
+            run.check()?;
+            let crossing = std::mem::take(&mut triangles.crossing);
+            if crossing.is_empty() {
+                break (welded, vertices, triangles);
+            }
+            crossed.mend(&mut soups, &mut positions, &mut first_vertex, crossing);
+        };
         drop(positions);
-        run.check()?;
         let vertex_numbers = file_numbers(&soups, &first_vertex, &welded.first_old);
-        let mut triangles =
-            triangles_of(&soups, &first_vertex, &welded.new_of_old, &vertices, &mut report);
         run.check()?;
         let mut edges = edges_of(&triangles.corners, vertices.len());
         run.check()?;
-        if !triangles.polygonal && drop_duplicates(&mut triangles, &edges, &mut report) {
+        report.duplicate_faces = triangles.drop_duplicates(&edges);
+        if report.duplicate_faces > 0 {
             edges = edges_of(&triangles.corners, vertices.len());
         }
+        triangles.report(&mut report);
         let mut mesh = Mesh {
             vertices,
             vertex_numbers,
             triangles: triangles.corners,
             faces: triangles.faces,
             polygonal: triangles.polygonal,
+            crossed_faces: triangles.crossed,
             edges,
             report,
             ..Mesh::default()
@@ -167,6 +193,7 @@ impl Mesh {
             triangles: 0..0,
             faces: 0..0,
             loose_lines: 0..lines.len() as u32,
+            places: FacePlaces::default(),
         };
         Ok(Mesh {
             vertex_numbers: (0..vertices.len() as u32).collect(),
@@ -212,6 +239,7 @@ impl Mesh {
                 triangles,
                 faces,
                 loose_lines: line_start..self.loose_lines.len() as u32,
+                places: soup.places,
             });
         }
     }
@@ -280,6 +308,18 @@ impl Mesh {
         self.face_of(triangle) - self.objects[object as usize].faces.start
     }
 
+    /// Faces that cross themselves, ascending, numbered through the scene.
+    pub fn crossed_faces(&self) -> &[u32] {
+        &self.crossed_faces
+    }
+
+    /// The object of a face, and where the face stands in its file.
+    pub fn place_of_face(&self, face: u32) -> (&Object, FacePlace) {
+        let object = self.objects.partition_point(|object| object.faces.end <= face);
+        let object = &self.objects[object];
+        (object, object.places.place_of(face - object.faces.start))
+    }
+
     /// The colour that the file gives a face.
     pub fn color_of(&self, face: u32) -> Option<Color> {
         self.colors.get(face as usize).copied().flatten()
@@ -306,6 +346,13 @@ impl Mesh {
             let twin = |&other: &u32| other != triangle && self.face_of(other) == face;
             !(self.polygonal && triangles.iter().any(twin))
         })
+    }
+
+    /// The triangles of the faces to which an edge belongs: those that end
+    /// there, and where none does, those of the polygon that is cut along it.
+    pub fn faces_at(&self, edge: u32) -> Vec<u32> {
+        let bordering: Vec<u32> = self.bordering(edge).collect();
+        if bordering.is_empty() { self.edges.triangles(edge).to_vec() } else { bordering }
     }
 
     /// The number of a vertex in its file, counted from 0.
@@ -406,40 +453,4 @@ fn file_numbers(soups: &[Soup], first_vertex: &[u32], first_old: &[u32]) -> Vec<
         let index = old - first_vertex[soup];
         soups[soup].vertex_numbers.as_ref().map_or(index, |numbers| numbers[index as usize])
     })
-}
-
-/// Drops triangles whose corners an earlier triangle has. Such twins share
-/// edges on which they have the same third corner.
-fn drop_duplicates(triangles: &mut Triangles, edges: &Edges, report: &mut MeshReport) -> bool {
-    let corners = &triangles.corners;
-    let third = |triangle: u32, [a, b]: [u32; 2]| {
-        corners[triangle as usize].iter().copied().find(|&x| x != a && x != b).unwrap_or(a)
-    };
-    let parts = map_chunks(edges.len(), 1 << 14, |part| {
-        let mut twins = Vec::new();
-        for edge in part {
-            let (ends, list) = (edges.ends(edge as u32), edges.triangles(edge as u32));
-            for (i, &triangle) in list.iter().enumerate().skip(1) {
-                let own = third(triangle, ends);
-                if list[..i].iter().any(|&earlier| third(earlier, ends) == own) {
-                    twins.push(triangle);
-                }
-            }
-        }
-        twins
-    });
-    let mut twins = parts.concat();
-    twins.sort_unstable();
-    twins.dedup();
-    if twins.is_empty() {
-        return false;
-    }
-    report.duplicate_faces += twins.len();
-    let all = 0..triangles.corners.len() as u32;
-    let kept: Vec<u32> = all.filter(|i| twins.binary_search(i).is_err()).collect();
-    let faces = triangles.faces.take();
-    let face = |&i: &u32| faces.as_ref().map_or(i, |faces| faces[i as usize]);
-    triangles.faces = Some(kept.iter().map(face).collect());
-    triangles.corners = kept.iter().map(|&i| triangles.corners[i as usize]).collect();
-    true
 }

@@ -1,6 +1,7 @@
 //! What a model file says, before anything is made of it: vertices, faces
 //! with holes, loose lines, object names.
 
+use super::FacePlaces;
 use glam::DVec3;
 
 /// An object's colour, as in `#rrggbb`.
@@ -178,6 +179,8 @@ pub struct Soup {
     pub colors: Option<Vec<Option<Color>>>,
     /// Loose lines (OBJ `l`), one entry per segment; indices in range.
     pub lines: Vec<[u32; 2]>,
+    /// Where the faces stand in the file.
+    pub places: FacePlaces,
 }
 
 #[cfg(test)]

@@ -117,6 +117,11 @@ impl<'a> LineQuestion<'a> {
             let crossing = &self.intersections[index as usize];
             return (0..2).flat_map(|surface| crossing.faces(self.mesh, surface)).collect();
         }
+        if let LineOrigin::Edge(edge) = line.origin {
+            let ends = self.mesh.edges().ends(edge);
+            let third = |triangle| (triangle, Some(self.mesh.third(triangle, ends)));
+            return self.mesh.faces_at(edge).into_iter().map(third).collect();
+        }
         let sides = line.origin.hinge().into_iter().flat_map(|it| self.mesh.hinge_sides(it));
         sides.map(|(triangle, third)| (triangle, Some(third))).collect()
     }

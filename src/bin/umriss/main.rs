@@ -15,6 +15,7 @@
 mod camera_file;
 mod camera_flags;
 mod clip;
+mod crossed_faces;
 mod draw;
 mod explain;
 mod explanation;

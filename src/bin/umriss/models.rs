@@ -1,5 +1,6 @@
 //! Reads what the command line names: models, or one computed drawing.
 
+use crate::crossed_faces;
 use crate::failure::Failure;
 use crate::input::{STANDARD_INPUT, read_input};
 use crate::model_flags::{AxisName, ModelFlags};
@@ -7,7 +8,9 @@ use crate::session::RunFlags;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
-use umriss::model::import::{ImportOptions, Imported, read_bytes_within, read_file_within};
+use umriss::model::import::{
+    Format, ImportOptions, Imported, line_of_face, read_bytes_within, read_file_within,
+};
 use umriss::model::{MeshError, Scene, SceneOptions, Soup, Unit};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
@@ -152,12 +155,14 @@ fn scene_of(
 ) -> Result<Scene, Failure> {
     let mut unit = None;
     let mut soups = Vec::new();
+    let mut formats = Vec::new();
     run.stage("reading", sources.len() as u64, || {
         for source in &mut *sources {
             let imported = import(source, flags, run)?;
             for warning in &imported.warnings {
                 session.note(&format!("{}: {warning}", source.name()));
             }
+            formats.push(imported.format);
             unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
             soups.extend(upright_soups(imported, flags, source));
             run.advance(1);
@@ -172,6 +177,10 @@ fn scene_of(
         [source] => Failure::failed(format!("{}: {error}", source.name())),
         _ => Failure::failed(error.to_string()),
     })?;
+    crossed_faces::tell(&scene.mesh, session, |file, place| {
+        let named = sources.iter().zip(&formats).find(|(source, _)| source.name() == file);
+        named.and_then(|(source, &format)| line_in(source, format, place.number))
+    });
     let merged = scene.mesh.report().merged_vertices;
     if flags.weld.is_some() {
         session.note(&format!("--weld moved {merged} vertices onto others"));
@@ -192,6 +201,12 @@ fn import(source: &mut Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<
             Ok(imported?)
         }
     }
+}
+
+/// The line of a face in a file that can be read twice.
+fn line_in(source: &Source<'_>, format: Format, face: u64) -> Option<u64> {
+    let path = source.path.filter(|path| format == Format::PolygonScene && path.is_file())?;
+    line_of_face(&std::fs::read(path).ok()?, format, face)
 }
 
 /// The unit of the scene after one more file.
@@ -224,6 +239,7 @@ fn upright_soups(imported: Imported, flags: &ModelFlags, source: &Source<'_>) ->
     let mut soups = imported.objects;
     for soup in &mut soups {
         soup.turn_upright(up);
+        soup.places.file = source.name();
         if soup.name.is_empty() {
             soup.name.clone_from(&stem);
         }

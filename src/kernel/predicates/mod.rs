@@ -24,6 +24,8 @@
 //! "Left" always means a half-space of space, so these hold for points
 //! behind a perspective eye too.
 
+mod area;
+mod bare;
 mod carrier;
 mod chart;
 mod collinear;
@@ -42,6 +44,8 @@ mod probe;
 mod ray;
 mod sorting;
 
+pub use area::turn_of_ring;
+pub use bare::{are_coplanar, compare_lengths, crossing_parameter, orientation};
 pub use carrier::{Carrier, Cut, Piercing, Place, Point, Probe};
 pub use chart::{Chart, ImageLine, ImagePoint};
 pub use collinear::{are_collinear, line_fingerprints};

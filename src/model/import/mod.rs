@@ -264,6 +264,17 @@ fn read(
     Ok(found.imported(format))
 }
 
+/// The line on which a face begins, counted from 1, in a file of a format
+/// whose reader does not note the lines of all faces; `number` counts the faces
+/// of the file from 0. O(length of the file).
+pub fn line_of_face(bytes: &[u8], format: Format, number: u64) -> Option<u64> {
+    match format {
+        #[cfg(feature = "json")]
+        Format::PolygonScene => Some(polygon_scene::line_of_face(bytes, number)),
+        _ => None,
+    }
+}
+
 /// Vertex and corner numbers are 32 bits wide. One of either takes at least
 /// one byte of any format, and 50 bytes of binary STL make three.
 fn check_size(bytes: u64, format: Format) -> Read<()> {

@@ -12,6 +12,7 @@
 
 use glam::DVec3;
 
+use super::super::FacePlace;
 use super::Found;
 use super::error::{Fault, Read, quote};
 use super::parts::{ForwardReferences, Part, split};
@@ -46,6 +47,8 @@ struct Reader<'a> {
     text: Text<'a>,
     vertices: Vec<DVec3>,
     parts: Vec<Part>,
+    /// How many faces there have been.
+    face_count: u64,
     /// The name in force, and whether a part of that name has begun.
     name: &'a [u8],
     begun: bool,
@@ -65,6 +68,7 @@ impl<'a> Reader<'a> {
             text: Text::new(bytes).with_comments().with_continued_lines().within(run),
             vertices: Vec::new(),
             parts: Vec::new(),
+            face_count: 0,
             name: b"",
             begun: false,
             has_objects: false,
@@ -125,8 +129,11 @@ impl<'a> Reader<'a> {
         }
         self.begin();
         if let Some(part) = self.parts.last_mut() {
+            let place = FacePlace { number: self.face_count, line: Some(line) };
+            part.places.note(part.faces.len() as u32, place);
             part.faces.push(&self.corners, []);
         }
+        self.face_count += 1;
         Ok(())
     }
 

@@ -12,7 +12,7 @@
 
 use glam::DVec3;
 
-use super::super::{Color, Soup};
+use super::super::{Color, FacePlace, Soup};
 use super::Found;
 use super::error::{Fault, Read, quote};
 use super::text::{Text, integer};
@@ -120,6 +120,7 @@ impl Reader<'_> {
             return Err(ends_early(&self.text, "faces", number, count));
         }
         let mut row = Row::default();
+        let line = self.text.line();
         let corner_count = row.natural(&mut self.text, "the number of corners")?;
         // With too few vertices counted, the next one would look like this.
         if corner_count < 2 {
@@ -135,6 +136,8 @@ impl Reader<'_> {
             self.soup.lines.push([a, b]);
             return Ok(());
         }
+        let place = FacePlace { number, line: Some(line) };
+        self.soup.places.note(self.soup.faces.len() as u32, place);
         let color = color(&mut self.text).unwrap_or_else(|what| {
             self.odd_color.get_or_insert((what, self.text.line()));
             None

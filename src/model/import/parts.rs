@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::{Color, Faces, Soup};
+use super::super::{Color, FacePlaces, Faces, Soup};
 
 /// An object whose faces and lines still number the vertices of the file.
 #[derive(Debug, Default)]
@@ -11,6 +11,7 @@ pub(super) struct Part {
     pub(super) faces: Faces,
     pub(super) colors: Option<Vec<Option<Color>>>,
     pub(super) lines: Vec<[u32; 2]>,
+    pub(super) places: FacePlaces,
 }
 
 /// Gives each part the vertices it uses, in file order. A single part, or
@@ -18,8 +19,8 @@ pub(super) struct Part {
 /// range. O(vertices + corners log corners).
 pub(super) fn split(vertices: Vec<DVec3>, mut parts: Vec<Part>) -> Vec<Soup> {
     if parts.len() <= 1 {
-        let Part { name, faces, colors, lines } = parts.pop().unwrap_or_default();
-        return vec![Soup { name, vertices, vertex_numbers: None, faces, colors, lines }];
+        let Part { name, faces, colors, lines, places } = parts.pop().unwrap_or_default();
+        return vec![Soup { name, vertices, vertex_numbers: None, faces, colors, lines, places }];
     }
     // Where a vertex of the file stands in the part at hand.
     let mut places = vec![UNUSED; vertices.len()];
@@ -29,7 +30,7 @@ pub(super) fn split(vertices: Vec<DVec3>, mut parts: Vec<Part>) -> Vec<Soup> {
 const UNUSED: u32 = u32::MAX;
 
 fn cut_out(vertices: &[DVec3], part: Part, places: &mut [u32]) -> Soup {
-    let Part { name, mut faces, colors, mut lines } = part;
+    let Part { name, mut faces, colors, mut lines, places: face_places } = part;
     let mut numbers = Vec::new();
     for &number in faces.corners().iter().chain(lines.as_flattened()) {
         if places[number as usize] == UNUSED {
@@ -49,7 +50,15 @@ fn cut_out(vertices: &[DVec3], part: Part, places: &mut [u32]) -> Soup {
         places[number as usize] = UNUSED;
     }
     let vertices = numbers.iter().map(|&number| vertices[number as usize]).collect();
-    Soup { name, vertices, vertex_numbers: Some(numbers), faces, colors, lines }
+    Soup {
+        name,
+        vertices,
+        vertex_numbers: Some(numbers),
+        faces,
+        colors,
+        lines,
+        places: face_places,
+    }
 }
 
 /// References to vertices that may still follow in the file. Only numbers

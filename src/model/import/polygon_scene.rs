@@ -22,7 +22,7 @@ use rustc_hash::FxHashMap;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
-use super::super::Color;
+use super::super::{Color, FacePlace};
 use super::Found;
 use super::error::{Fault, Read};
 use super::json_places::{Step, line_of, offset_of, place_of};
@@ -45,6 +45,14 @@ pub(super) fn read(bytes: &[u8]) -> Read<Found> {
         return Err(Fault::line(line, json_message(&error, "a polygon scene")));
     }
     Ok(Found { objects: split(scene.vertices, scene.parts), warnings: scene.warnings })
+}
+
+/// The line on which a face of a polygon scene begins, counted from 1. Faces
+/// are read without their lines, and this scans the text again.
+pub(super) fn line_of_face(bytes: &[u8], face: u64) -> u64 {
+    let json = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let path = [Step::Key("faces"), Step::Item(face as usize)];
+    line_of(json, place_of(json, &path))
 }
 
 #[derive(Default)]
@@ -153,6 +161,8 @@ impl Scene {
             colors.resize(part.faces.len(), None);
             colors.push(color);
         }
+        let place = FacePlace { number: number as u64, line: None };
+        part.places.note(part.faces.len() as u32, place);
         part.faces.push(&outer, holes.iter().map(Vec::as_slice));
         Ok(())
     }

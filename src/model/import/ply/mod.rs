@@ -27,7 +27,7 @@ use glam::DVec3;
 use self::header::{Element, Header, Role};
 use self::rows::Rows;
 use self::strips::add_strips;
-use super::super::{Color, Soup};
+use super::super::{Color, FacePlace, Soup};
 use super::Found;
 use super::error::Read;
 use crate::run::Run;
@@ -105,6 +105,7 @@ impl Reader {
 
     fn face(&mut self, element: &Element<'_>, number: u64, rows: &mut Rows<'_>) -> Read<()> {
         self.corners.clear();
+        let place = FacePlace { number, line: rows.line() };
         self.row(element, rows)?;
         let count = self.corners.len();
         // With too few vertices counted, the next one would look like this.
@@ -116,6 +117,7 @@ impl Reader {
             self.first_of_few_corners.get_or_insert(number);
             return Ok(());
         }
+        self.soup.places.note(self.soup.faces.len() as u32, place);
         self.soup.faces.push(&self.corners, []);
         let channels = [Role::Red, Role::Green, Role::Blue];
         let color = element.has_color.then(|| {

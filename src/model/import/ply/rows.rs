@@ -52,6 +52,11 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
+    /// The line of the row at hand, in text.
+    pub(super) fn line(&self) -> Option<u64> {
+        (self.encoding == Encoding::Text).then(|| self.text.line())
+    }
+
     /// Ends the row: in text, its line.
     pub(super) fn end(&mut self) -> Read<()> {
         if self.encoding != Encoding::Text {
