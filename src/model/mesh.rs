@@ -8,7 +8,7 @@
 use super::adjacency::edges_of;
 use super::faces::{Triangles, triangles_of};
 use super::weld::{merge_close, weld};
-use super::{Color, Edges, Soup};
+use super::{Color, Edges, Precision, Soup};
 use crate::run::{Cancelled, Run, map_chunks, map_small};
 use glam::DVec3;
 use std::ops::Range;
@@ -73,6 +73,8 @@ pub struct Mesh {
     loose_lines: Vec<[u32; 2]>,
     objects: Vec<Object>,
     colors: Vec<Option<Color>>,
+    /// That of each object.
+    precisions: Vec<Precision>,
     report: MeshReport,
 }
 
@@ -169,6 +171,7 @@ impl Mesh {
             vertices,
             loose_lines: lines,
             objects: vec![object],
+            precisions: vec![Precision::default()],
             ..Mesh::default()
         })
     }
@@ -202,6 +205,7 @@ impl Mesh {
                 self.colors.resize(faces.start as usize, None);
                 self.colors.extend(colors);
             }
+            self.precisions.push(soup.precision);
             self.objects.push(Object {
                 name: soup.name,
                 vertices: vertex_start..vertex_end,
@@ -333,6 +337,17 @@ impl Mesh {
     pub fn runs_along(&self, triangle: u32, [a, b]: [u32; 2]) -> bool {
         let [x, y, z] = self.triangles[triangle as usize];
         (x == a && y == b) || (y == a && z == b) || (z == a && x == b)
+    }
+
+    /// The distance within which places of the files may be one, the largest
+    /// of all objects: [`Precision::resolution`]. O(n).
+    pub fn resolution(&self) -> f64 {
+        let objects = self.objects.iter().zip(&self.precisions);
+        let of = |(object, precision): (&Object, &Precision)| {
+            let vertices = object.vertices.start as usize..object.vertices.end as usize;
+            precision.resolution(&self.vertices[vertices])
+        };
+        objects.map(of).fold(0.0, f64::max)
     }
 
     /// The box of all vertices as (least, greatest) corner.

@@ -14,6 +14,7 @@ pub mod import;
 mod intersections;
 mod line_class;
 mod mesh;
+mod precision;
 mod sanity;
 mod scene;
 mod soup;
@@ -34,6 +35,7 @@ pub use intersections::{
 };
 pub use line_class::LineClass;
 pub use mesh::{Mesh, MeshError, MeshReport, Object};
+pub use precision::Precision;
 pub use scene::{Scene, SceneOptions};
 pub use soup::{Color, Faces, Placement, Soup, Unit, UpAxis};
 pub use standard_views::StandardView;

@@ -65,6 +65,16 @@ pub struct Imported {
     pub warnings: Vec<String>,
 }
 
+impl Imported {
+    /// The distance within which places of this file may be one that was
+    /// rounded twice: a few units of the last place that the file has, in its
+    /// own unit. O(n).
+    pub fn resolution(&self) -> f64 {
+        let of = |soup: &Soup| soup.precision.resolution(&soup.vertices);
+        self.objects.iter().map(of).fold(0.0, f64::max)
+    }
+}
+
 /// Reads a file. The format is the one given, else what the content says,
 /// else what the extension says. glTF may refer to files beside it.
 ///

@@ -23,6 +23,7 @@ use ::gltf::json::Node;
 use glam::{DMat4, DQuat, DVec3};
 
 use self::container::Document;
+use super::super::Precision;
 use super::Found;
 use super::error::Read;
 use super::json_places::Step;
@@ -51,6 +52,7 @@ pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Read<Found> {
         let world = above * transform(&document, node, number)?;
         if node.mesh.is_some() {
             let mut object = meshes::object(&document, number, &mut budget, &mut found.warnings)?;
+            object.precision = precision(&object.vertices, world);
             place(&mut object.vertices, world).map_err(|vertex| {
                 document.fault(&path, format!(
                     "vertex {vertex} of node {number} is not finite, expected a smaller transform"
@@ -151,6 +153,17 @@ fn transform(document: &Document<'_>, node: &Node, number: usize) -> Read<DMat4>
     let path = [Step::Key("nodes"), Step::Item(number)];
     let message = format!("the transform of node {number} is not finite and affine, expected one");
     Err(document.fault(&path, message))
+}
+
+/// How the vertices of a mesh, which are narrow floats, are rounded once they
+/// are in the world.
+fn precision(vertices: &[DVec3], world: DMat4) -> Precision {
+    if world == DMat4::IDENTITY {
+        return Precision::Float32;
+    }
+    let [x, y, z] = [world.x_axis, world.y_axis, world.z_axis].map(|axis| axis.truncate().length());
+    let distance = world.w_axis.truncate().abs().max_element();
+    Precision::of_placed(vertices, x.max(y).max(z), distance)
 }
 
 /// Moves vertices into the world; the error is the first that is no longer

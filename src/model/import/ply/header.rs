@@ -1,5 +1,6 @@
 //! The header of a PLY file: lines of text up to `end_header`.
 
+use super::super::super::Precision;
 use super::super::error::{Fault, Read, quote};
 use super::super::text::Text;
 
@@ -162,6 +163,19 @@ pub(super) fn read(bytes: &[u8]) -> Read<Header<'_>> {
     let vertex_count = vertices.count;
     text.next_line();
     Ok(Header { encoding, elements, vertex_count, payload: text })
+}
+
+/// How positions are rounded by the types that the header gives them.
+pub(super) fn precision(encoding: Encoding, elements: &[Element<'_>]) -> Precision {
+    let is_coordinate = |role| matches!(role, Role::X | Role::Y | Role::Z);
+    let mut properties = elements.iter().flat_map(|element| &element.properties);
+    let is_narrow =
+        properties.any(|property| is_coordinate(property.role) && property.kind == Kind::F32);
+    match encoding {
+        // Text has the decimals that it has.
+        Encoding::LittleEndian | Encoding::BigEndian if is_narrow => Precision::Float32,
+        _ => Precision::AsWritten,
+    }
 }
 
 fn format(text: &mut Text<'_>) -> Read<Encoding> {
