@@ -10,6 +10,7 @@ mod faces;
 mod fans;
 mod features;
 mod frame;
+mod healing;
 pub mod import;
 mod intersections;
 mod line_class;
@@ -30,6 +31,7 @@ pub use convex::ConvexParts;
 pub use fans::Fans;
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
+pub use healing::{HealReport, heal};
 pub use intersections::{
     EdgePiercings, IntersectionLine, Intersections, Known, triangle_hierarchy,
 };
