@@ -231,7 +231,7 @@ fn moves(net: &Net<'_>, groups: &[Vec<Level>], reach: f64) -> Vec<[Level; 2]> {
 fn count_places(net: &Net<'_>, wanted: &FxHashSet<Level>) -> FxHashMap<Level, usize> {
     let parts = map_chunks(net.first.len(), PART, |part| {
         let mut counts: FxHashMap<Level, usize> = FxHashMap::default();
-        for place in part.map(|vertex| vertex as u32).filter(|&vertex| net.is_first(vertex)) {
+        for place in part.map(|vertex| vertex as u32).filter(|&vertex| net.is_place(vertex)) {
             let levels = (0..3).map(|axis| Level::new(axis, net.at(place)[axis]));
             levels.filter(|level| wanted.contains(level)).for_each(|level| {
                 *counts.entry(level).or_default() += 1;
@@ -251,7 +251,7 @@ fn count_places(net: &Net<'_>, wanted: &FxHashSet<Level>) -> FxHashMap<Level, us
 fn apply(net: &mut Net<'_>, moves: &[[Level; 2]], tolerance: Tolerance) -> bool {
     let target: FxHashMap<Level, Level> = moves.iter().map(|&[from, to]| (from, to)).collect();
     let mut places: FxHashMap<Level, Vec<u32>> = FxHashMap::default();
-    for place in (0..net.first.len() as u32).filter(|&vertex| net.is_first(vertex)) {
+    for place in (0..net.first.len() as u32).filter(|&vertex| net.is_place(vertex)) {
         let levels = (0..3).map(|axis| Level::new(axis, net.at(place)[axis]));
         levels.filter(|level| target.contains_key(level)).for_each(|level| {
             places.entry(level).or_default().push(place);
@@ -266,7 +266,7 @@ fn apply(net: &mut Net<'_>, moves: &[[Level; 2]], tolerance: Tolerance) -> bool 
         };
         let all: Vec<(u32, DVec3)> =
             places.get(from).into_iter().flatten().map(|&place| there(place)).collect();
-        if all.iter().all(|&(place, position)| tolerance.allows(net.was_at(place), position)) {
+        if all.iter().all(|&(place, position)| net.allows(place, position, tolerance)) {
             all.into_iter().for_each(|(place, position)| net.put(place, position));
             moved = true;
         }

@@ -40,7 +40,7 @@ use crate::run::{Cancelled, Run};
 use glam::DVec3;
 use net::Net;
 use survey::Survey;
-use tolerance::{Tolerance, distance};
+use tolerance::{Tolerance, compare, distance};
 use write_back::Healed;
 
 /// What was done to models.
@@ -92,6 +92,15 @@ pub fn heal(soups: &mut [Soup], tolerance: f64, run: &Run<'_>) -> Result<HealRep
         collapsed_faces += seams::close(&mut net, &borders, tolerance, run);
         run.check()?;
     }
+    // A corner may have come to a flat face that is not quite in its plane.
+    if !net.changed.is_empty() {
+        net.note_joined();
+        if coordinates::align(&mut net, tolerance, run) {
+            let links = net.links(tolerance);
+            vertices::merge(&mut net, &links, tolerance);
+        }
+    }
+    run.check()?;
     let closed_seams = joined::closed_seams(&net);
     let healed = Healed::of(net);
     let HealReport { moved, farthest, .. } = healed.report;

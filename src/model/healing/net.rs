@@ -9,7 +9,7 @@
 use super::Tolerance;
 use super::near::{Near, near};
 use crate::model::Soup;
-use crate::run::{map_indexed, map_small};
+use crate::run::{map_chunks, map_indexed, map_small, sort_by};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
@@ -67,6 +67,9 @@ pub(super) struct Net<'s> {
     pub(super) now: Vec<u32>,
     /// Where places were before they were moved.
     before: FxHashMap<u32, DVec3>,
+    /// Places of the file that have become others: those that they have
+    /// become, and they.
+    joined: Vec<[u32; 2]>,
     /// Faces that are no longer as in the file. One without a ring is
     /// collapsed.
     pub(super) changed: FxHashMap<FaceName, Rings>,
@@ -91,6 +94,7 @@ impl<'s> Net<'s> {
             now: first.clone(),
             first,
             before: FxHashMap::default(),
+            joined: Vec::new(),
             changed: FxHashMap::default(),
         };
         (net, links)
@@ -98,14 +102,19 @@ impl<'s> Net<'s> {
 
     /// Links between places that are near now.
     pub(super) fn links(&self, tolerance: Tolerance) -> Vec<[u32; 2]> {
-        let moved = |vertex: usize| self.at(self.first[vertex]);
-        let positions: Vec<DVec3> = map_small(self.first.len(), moved);
-        near(&positions, tolerance).links
+        let moved = |vertex: usize| self.at(self.now[vertex]);
+        let positions: Vec<DVec3> = map_small(self.now.len(), moved);
+        let Near { first, links } = near(&positions, tolerance);
+        // Places that have come to the same position are still two.
+        let name = |vertex: u32| self.now[vertex as usize];
+        let named = links.into_iter().map(|link| link.map(name));
+        let same = first.into_iter().zip(&self.now).map(|(first, &now)| [name(first), now]);
+        named.chain(same).filter(|[a, b]| a != b).collect()
     }
 
-    /// Whether a vertex gives its name to a place of the file.
-    pub(super) fn is_first(&self, vertex: u32) -> bool {
-        self.first[vertex as usize] == vertex
+    /// Whether a vertex gives its name to a place.
+    pub(super) fn is_place(&self, vertex: u32) -> bool {
+        self.now[vertex as usize] == vertex
     }
 
     /// Where a place is.
@@ -119,11 +128,36 @@ impl<'s> Net<'s> {
         self.before.get(&place).copied().unwrap_or(self.places[place as usize])
     }
 
+    /// Whether a place, and all that have become it, may be there.
+    pub(super) fn allows(&self, place: u32, position: DVec3, tolerance: Tolerance) -> bool {
+        let start = self.joined.partition_point(|joined| joined[0] < place);
+        let joined = self.joined[start..].iter().take_while(|joined| joined[0] == place);
+        let mut all = [place].into_iter().chain(joined.map(|joined| joined[1]));
+        all.all(|place| tolerance.allows(self.was_at(place), position))
+    }
+
     /// Moves a place.
     pub(super) fn put(&mut self, place: u32, position: DVec3) {
         let slot = &mut self.places[place as usize];
         self.before.entry(place).or_insert(*slot);
         *slot = position;
+    }
+
+    /// Gives places the names of others, as `target` says.
+    pub(super) fn join(&mut self, target: &[u32]) {
+        self.now = map_small(self.now.len(), |vertex| target[self.now[vertex] as usize]);
+    }
+
+    /// Notes which places have become others, before any of them is moved.
+    pub(super) fn note_joined(&mut self) {
+        let joined = map_chunks(self.now.len(), PART, |part| {
+            let pair = |vertex: usize| [self.now[vertex], self.first[vertex]];
+            let is_own = |vertex: &usize| self.first[*vertex] as usize == *vertex;
+            let places = part.filter(is_own).map(pair);
+            places.filter(|[now, before]| now != before).collect::<Vec<_>>()
+        });
+        self.joined = joined.concat();
+        sort_by(&mut self.joined, Ord::cmp);
     }
 
     /// The vertices of an object.

@@ -5,10 +5,9 @@
 //! corner of both faces, and they have their edges in common. No place moves
 //! for it, and an edge leaves its old line by less than the tolerance.
 
-use super::Tolerance;
 use super::net::{FaceName, Net, Rings};
+use super::{Tolerance, compare};
 use rustc_hash::FxHashMap;
-use std::cmp::Ordering;
 
 /// A side of faces of one object, in either direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -47,26 +46,24 @@ impl Splits {
     }
 
     /// The places inside a side, in its direction.
-    fn inside(&self, object: u32, [from, to]: [u32; 2]) -> impl Iterator<Item = u32> {
-        let side = Side::new(object, [from, to]);
-        let places = self.0.get(&side).map_or(&[][..], |places| places);
-        let backwards = side.ends[0] != from;
+    fn inside(&self, net: &Net<'_>, object: u32, ends: [u32; 2]) -> impl Iterator<Item = u32> {
+        let places = self.0.get(&Side::new(object, ends)).map_or(&[][..], |places| places);
+        let [from, to] = ends.map(|end| net.at(end));
+        let backwards = compare(from, to).is_gt();
         (0..places.len()).map(move |i| places[if backwards { places.len() - 1 - i } else { i }])
     }
 
-    /// Puts the places of each side in order, each once.
+    /// Puts the places of each side in order from its lesser end, each once.
     fn sort(&mut self, net: &Net<'_>, tolerance: Tolerance) {
         for (side, places) in &mut self.0 {
-            let ends = side.ends.map(|end| net.at(end));
+            let mut ends = side.ends.map(|end| net.at(end));
+            ends.sort_by(|&p, &q| compare(p, q));
             let along = |place: u32| {
                 let beside = tolerance.beside(net.at(place), ends);
                 beside.map_or(0.5, |beside| beside.along)
             };
             places.sort_by(|&a, &b| {
-                let [p, q] = [a, b].map(|place| net.at(place).to_array());
-                let coordinates = p.iter().zip(&q).map(|(x, y)| x.total_cmp(y));
-                let order = along(a).total_cmp(&along(b));
-                coordinates.fold(order, Ordering::then)
+                along(a).total_cmp(&along(b)).then(compare(net.at(a), net.at(b)))
             });
             places.dedup();
         }
@@ -87,7 +84,7 @@ impl Splits {
                     && self.0.contains_key(&Side::new(name.object, side))
             };
             if rings.sides().any(is_split) {
-                changed.push((name, self.led_through(name, rings)));
+                changed.push((name, self.led_through(net, name, rings)));
             }
         });
         let changed: Vec<(FaceName, Rings)> = parts.into_iter().flatten().collect();
@@ -98,13 +95,14 @@ impl Splits {
         Applied { left, collapsed }
     }
 
-    fn led_through(&self, name: FaceName, rings: &Rings) -> Rings {
+    fn led_through(&self, net: &Net<'_>, name: FaceName, rings: &Rings) -> Rings {
         let mut changed = Rings::default();
         for (number, ring) in rings.iter().enumerate() {
             let next = ring.iter().cycle().skip(1);
             let sides = ring.iter().zip(next).map(|(&a, &b)| [a, b]);
-            let led = sides
-                .flat_map(|side| std::iter::once(side[0]).chain(self.inside(name.object, side)));
+            let led = sides.flat_map(|side| {
+                std::iter::once(side[0]).chain(self.inside(net, name.object, side))
+            });
             let led = without_ways_back(led);
             match led.len() {
                 0..3 if number == 0 => return Rings::default(),

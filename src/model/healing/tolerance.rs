@@ -2,6 +2,7 @@
 //! large nor small numbers get out of range.
 
 use glam::DVec3;
+use std::cmp::Ordering;
 
 /// A distance, greater than zero and finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,8 +30,13 @@ impl Tolerance {
         ((p - q) / self.0).length_squared() <= 1.0
     }
 
-    /// Whether a position is that near to the inside of an edge, and where.
+    /// Whether a position is that near to the inside of an edge, and where; the
+    /// same from both ends.
     pub(super) fn beside(self, position: DVec3, [from, to]: [DVec3; 2]) -> Option<Beside> {
+        if compare(from, to).is_gt() {
+            let Beside { along } = self.beside(position, [to, from])?;
+            return Some(Beside { along: 1.0 - along });
+        }
         let edge = to - from;
         let scale = edge.abs().max_element();
         let (edge, offset) = (edge / scale, (position - from) / scale);
@@ -48,6 +54,12 @@ impl Tolerance {
         let longest = u.length_squared().max(v.length_squared()).max((u - v).length_squared());
         u.cross(v).length_squared() <= longest
     }
+}
+
+/// An order of positions: by x, then y, then z.
+pub(super) fn compare(p: DVec3, q: DVec3) -> Ordering {
+    let coordinates = p.to_array().into_iter().zip(q.to_array());
+    coordinates.fold(Ordering::Equal, |order, (x, y)| order.then(x.total_cmp(&y)))
 }
 
 /// The distance of two positions.

@@ -13,7 +13,7 @@
 use super::net::Net;
 use super::{Tolerance, coordinates};
 use crate::model::components::{join, root};
-use crate::run::{map_chunks, map_small, sort_by};
+use crate::run::{map_chunks, sort_by};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
@@ -69,7 +69,7 @@ pub(super) fn merge(net: &mut Net<'_>, links: &[[u32; 2]], tolerance: Tolerance)
         pairs.iter().for_each(|&[from, to]| target[from as usize] = to);
         shifted.into_iter().for_each(|(place, position)| net.put(place, position));
     }
-    net.now = map_small(net.first.len(), |vertex| target[net.first[vertex] as usize]);
+    net.join(&target);
 }
 
 /// The linked places by the group that they are in.
@@ -115,8 +115,8 @@ fn merge_group(net: &Net<'_>, mut group: Vec<Member>, tolerance: Tolerance, merg
             merged.shifted.push((keeper.place, place));
         }
         // What was moved before may have no way left.
-        let stays = |member: &&Member| tolerance.allows(net.was_at(member.place), place);
-        let joins = company.iter().filter(stays).map(|member| [member.place, keeper.place]);
+        let comes = |member: &&Member| net.allows(member.place, place, tolerance);
+        let joins = company.iter().filter(comes).map(|member| [member.place, keeper.place]);
         merged.pairs.extend(joins);
     }
 }
@@ -147,7 +147,7 @@ fn within_planes(
         }
     }
     let all = [keeper].into_iter().chain(company);
-    let mut ways = all.map(|member| tolerance.allows(net.was_at(member.place), place));
+    let mut ways = all.map(|member| net.allows(member.place, place, tolerance));
     ways.all(|allowed| allowed).then_some(place)
 }
 

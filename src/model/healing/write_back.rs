@@ -75,7 +75,9 @@ impl Healed {
 fn report(net: &Net<'_>) -> HealReport {
     let parts = map_chunks(net.first.len(), PART, |part| {
         let mut report = HealReport::default();
-        for place in part.map(|vertex| vertex as u32).filter(|&vertex| net.is_first(vertex)) {
+        for place in
+            part.map(|vertex| vertex as u32).filter(|&vertex| net.first[vertex as usize] == vertex)
+        {
             let way = distance(net.was_at(place), net.at(net.now[place as usize]));
             report.moved += usize::from(way > 0.0);
             report.farthest = report.farthest.max(way);
