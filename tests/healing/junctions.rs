@@ -44,7 +44,7 @@ proptest! {
             let found = topology(&after);
             prop_assert_eq!(found.boundary_edges, 0);
             prop_assert!(found.is_closed());
-            prop_assert!(report.closed_seams > 0);
+            prop_assert!(report.closed_borders > 0);
             prop_assert!(farthest(&soups, &after) <= resolution);
             let (again, report) = healed(&after, resolution);
             prop_assert_eq!(&again, &after);
@@ -101,5 +101,5 @@ fn corners_that_are_added_have_the_numbers_of_the_file() {
     let rings: Vec<Vec<&[u32]>> = (0..3).map(|face| after[0].faces.rings(face).collect()).collect();
     assert_eq!(rings[0], [&[0, 4, 1, 2, 3][..]]);
     assert_eq!(rings[1..], [[&[0, 5, 6, 4][..]], [&[4, 6, 1][..]]]);
-    assert_eq!((report.moved, report.closed_seams), (0, 2));
+    assert_eq!((report.moved, report.closed_borders), (0, 3));
 }

@@ -70,17 +70,6 @@ pub(crate) fn prism(random: &mut Random, corners: usize) -> Polygons {
     faces
 }
 
-/// The six rectangles of a box.
-pub(crate) fn cuboid(low: DVec3, high: DVec3) -> Polygons {
-    let corner = |i: usize| {
-        let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-        DVec3::new(pick(0), pick(1), pick(2))
-    };
-    [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
-        .map(|face| face.map(corner).to_vec())
-        .to_vec()
-}
-
 /// An object of these faces, every corner a vertex of its own.
 pub(crate) fn soup_of(name: &str, faces: &[Vec<DVec3>]) -> Soup {
     let mut soup = Soup { name: name.to_owned(), ..Soup::default() };

@@ -20,13 +20,13 @@ proptest! {
         prop_assert!(found.is_closed());
         prop_assert_eq!(found.boundary_edges, 0);
         prop_assert_eq!(found.components, 1);
-        prop_assert_eq!(report.closed_seams, 3 * corners);
+        prop_assert_eq!(report.closed_borders, 6 * corners);
         prop_assert_eq!(report.collapsed_faces, 0);
         prop_assert!(farthest(&soups, &after) <= 2e-6);
         // Once more changes nothing.
         let (again, report) = healed(&after, 2e-6);
         prop_assert_eq!(&again, &after);
-        prop_assert_eq!((report.moved, report.closed_seams, report.collapsed_faces), (0, 0, 0));
+        prop_assert_eq!((report.moved, report.closed_borders, report.collapsed_faces), (0, 0, 0));
     }
 
     #[test]

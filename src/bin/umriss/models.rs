@@ -194,10 +194,10 @@ fn scene_of(
 
 /// What healing did, in one line.
 fn told(tolerance: f64, report: &HealReport) -> String {
-    let HealReport { moved, farthest, closed_seams, collapsed_faces } = report;
+    let HealReport { moved, farthest, closed_borders, collapsed_faces } = report;
     format!(
-        "--heal {tolerance:.2e}: {moved} places moved, by {farthest:.2e} at most; {closed_seams} \
-         seams closed; {collapsed_faces} faces collapsed"
+        "--heal {tolerance:.2e}: {moved} places moved, by {farthest:.2e} at most; {closed_borders} \
+         borders closed; {collapsed_faces} faces collapsed"
     )
 }
 

@@ -23,8 +23,8 @@
 //! ways, faces across an axis excepted; that a gap wider than the tolerance is
 //! closed somewhere else; that surfaces that pass through one another are cut.
 
+mod borders;
 mod coordinates;
-mod joined;
 mod near;
 mod net;
 mod seams;
@@ -37,10 +37,12 @@ mod write_back;
 
 use super::Soup;
 use crate::run::{Cancelled, Run};
+use borders::{borders, count_closed};
 use glam::DVec3;
+use near::{Near, near};
 use net::Net;
 use survey::Survey;
-use tolerance::{Tolerance, compare, distance};
+use tolerance::{Tolerance, compare, distance, rank};
 use write_back::Healed;
 
 /// What was done to models.
@@ -51,8 +53,8 @@ pub struct HealReport {
     pub moved: usize,
     /// How far at most, in the models' unit.
     pub farthest: f64,
-    /// Edges at which faces meet that had none in common there.
-    pub closed_seams: usize,
+    /// Sides of faces that were borders and now have a partner.
+    pub closed_borders: usize,
     /// Faces that have no area any more.
     pub collapsed_faces: usize,
 }
@@ -71,41 +73,59 @@ pub fn heal(soups: &mut [Soup], tolerance: f64, run: &Run<'_>) -> Result<HealRep
     let tolerance = Tolerance::new(tolerance);
     run.take(soups.iter().map(bytes_of_net).sum())?;
     let (positions, starts) = take_positions(soups);
-    let (mut net, mut links) = Net::new(soups, starts, positions, tolerance);
+    let mut net = Net::new(soups, starts, positions);
+    let mut locks = coordinates::locks(&net);
+    let Near { first, kept, mut links } = near(&net.places, &locks, tolerance);
+    net.now.clone_from(&first);
+    net.first = first;
     run.check()?;
     if coordinates::align(&mut net, tolerance, run) {
+        locks = coordinates::locks(&net);
         links = net.links(tolerance);
+    } else {
+        net.now = kept;
+        // Those of a place are those of all its vertices.
+        for (vertex, &first) in net.first.iter().enumerate() {
+            locks[first as usize] |= locks[vertex];
+        }
     }
-    vertices::merge(&mut net, &links, tolerance);
+    vertices::merge(&mut net, &links, &locks, tolerance);
     run.check()?;
-    let mut survey = Survey::of(&net, tolerance);
-    let mut collapsed_faces = survey.collapsed;
+    let Survey { mut sums, before, thin, collapsed } = Survey::of(&net, tolerance);
+    let before = before.as_ref();
     run.check()?;
-    let thin = std::mem::take(&mut survey.thin);
     let slivers = slivers::collapse(&mut net, thin, tolerance);
     if slivers > 0 {
-        collapsed_faces += slivers;
-        survey = Survey::of(&net, tolerance);
+        sums = survey::sums(&net);
     }
-    if !survey.is_closed() {
-        let borders = seams::borders(&net, &survey);
-        collapsed_faces += seams::close(&mut net, &borders, tolerance, run);
+    let mut left = Vec::new();
+    let mut bent = 0;
+    if !sums.are_closed() {
+        left = borders(&net, &sums);
+        bent = seams::close(&mut net, &left, tolerance, run);
         run.check()?;
     }
     // A corner may have come to a flat face that is not quite in its plane.
     if !net.changed.is_empty() {
         net.note_joined();
         if coordinates::align(&mut net, tolerance, run) {
-            let links = net.links(tolerance);
-            vertices::merge(&mut net, &links, tolerance);
+            let (links, locks) = (net.links(tolerance), coordinates::locks(&net));
+            vertices::merge(&mut net, &links, &locks, tolerance);
         }
+        let sums = survey::sums(&net);
+        left = if sums.are_closed() { Vec::new() } else { borders(&net, &sums) };
     }
     run.check()?;
-    let closed_seams = joined::closed_seams(&net);
+    let closed_borders = match before {
+        None if net.changed.is_empty() => 0,
+        Some(before) => count_closed(&net, before, &left),
+        None => count_closed(&net, &survey::old_sums(&net), &left),
+    };
+    let collapsed_faces = collapsed + slivers + bent;
     let healed = Healed::of(net);
     let HealReport { moved, farthest, .. } = healed.report;
     healed.put_back(soups);
-    Ok(HealReport { moved, farthest, closed_seams, collapsed_faces })
+    Ok(HealReport { moved, farthest, closed_borders, collapsed_faces })
 }
 
 /// What is held for each vertex and face while an object is healed.

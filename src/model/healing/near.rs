@@ -4,15 +4,18 @@
 //! its own cell and, within the tolerance of a wall, to those beyond it too,
 //! so two vertices that are near have a cell in common, and most cells hold
 //! one vertex. Cells go by a hash; where two have the same, a few distances
-//! are measured for nothing. Vertices are dealt into buckets by it as in
-//! [`super::super::weld`]. In a crowded cell a plane is swept along its longest
-//! side. Expected O(n) while few vertices are near one another.
+//! are measured for nothing. Vertices are dealt into buckets by it as when they
+//! are welded. In a crowded cell a plane is swept along its longest side.
+//! Expected O(n) while few vertices are near one another.
+//!
+//! Most that is near is a handful of copies of one vertex, alone in their cell
+//! and all near one another: which of them is kept is settled there, where they
+//! are at hand.
 
-use super::super::components::{join, root};
-use super::Tolerance;
+use super::{Tolerance, compare, rank};
+use crate::model::components::{join, root};
 use crate::run::{map_chunks, map_indexed, map_small};
 use glam::DVec3;
-use std::cmp::Ordering;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -20,8 +23,11 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 pub(super) struct Near {
     /// The first vertex at the position of each.
     pub(super) first: Vec<u32>,
-    /// Pairs of first vertices that are near one another: not all of them, but
-    /// so many that what hangs together by all hangs together by these.
+    /// The same, but where all that hangs together with a vertex is near one
+    /// another, the one that is kept of them.
+    pub(super) kept: Vec<u32>,
+    /// Pairs of other first vertices that are near one another: not all of them,
+    /// but so many that what hangs together by all hangs together by these.
     pub(super) links: Vec<[u32; 2]>,
 }
 
@@ -33,31 +39,30 @@ const PART: usize = 1 << 16;
 const NARROW: f64 = 16.0;
 const WIDE: f64 = 64.0;
 
-/// Finds them among finite positions.
-pub(super) fn near(positions: &[DVec3], tolerance: Tolerance) -> Near {
+/// Finds them among finite positions, of which some coordinates are locked to
+/// planes (bits by axis).
+pub(super) fn near(positions: &[DVec3], locks: &[u8], tolerance: Tolerance) -> Near {
     let grid = Grid::for_positions(positions, tolerance);
     let count = positions.len();
     let bits = (count / BUCKET).max(1).next_power_of_two().trailing_zeros().min(15);
     let parts = map_chunks(count, PART, |part| deal(positions, &grid, part, bits));
-    let first: Vec<AtomicU32> = map_small(count, |vertex| AtomicU32::new(vertex as u32));
+    let names = || map_small(count, |vertex| AtomicU32::new(vertex as u32));
+    let (first, kept) = (names(), names());
     let links = map_indexed(1 << bits, |bucket| {
-        let mut entries: Vec<Entry> = Vec::new();
-        parts.iter().for_each(|part| entries.extend_from_slice(part.bucket(bucket)));
-        entries.sort_unstable();
-        let mut cell = Cell { positions, tolerance, first: &first, links: Vec::new() };
-        for together in entries.chunk_by(|a, b| a.cell() == b.cell()) {
-            if together.len() > 1 {
-                cell.compare(together);
-            }
-        }
-        cell.links
+        let entries = parts.iter().map(|part| part.bucket(bucket)).collect::<Vec<_>>().concat();
+        let links = Vec::new();
+        let mut bucket = Bucket { positions, locks, tolerance, first: &first, kept: &kept, links };
+        for_each_cell(&entries, |cell| bucket.compare(cell));
+        bucket.links
     });
-    Near { first: first.into_iter().map(AtomicU32::into_inner).collect(), links: links.concat() }
+    let plain = |names: Vec<AtomicU32>| names.into_iter().map(AtomicU32::into_inner).collect();
+    Near { first: plain(first), kept: plain(kept), links: links.concat() }
 }
 
 /// Cells of space.
 struct Grid {
-    side: f64,
+    /// Cells in one unit of length.
+    per_unit: f64,
     /// How near to a wall a vertex is in both cells, in sides.
     margin: f64,
 }
@@ -73,24 +78,26 @@ impl Grid {
         let size = (high - low).max_element();
         let apart = 0.5 * size / (positions.len().max(1) as f64).sqrt();
         let reach = tolerance.distance();
-        // Far from the origin the number of a cell has to stay finite.
-        let least = low.abs().max(high.abs()).max_element() * 1e-300;
+        // The number of a cell, and that of cells in a unit, have to be finite.
+        let least = (low.abs().max(high.abs()).max_element() * 1e-300).max(1e-300);
         let side = apart.clamp(NARROW * reach, WIDE * reach).max(least).min(f64::MAX);
-        Grid { side, margin: reach / side * 1.01 }
+        Grid { per_unit: 1.0 / side, margin: reach / side * 1.01 }
     }
 
-    /// Calls `found` with the cells of a position, its own first.
+    /// Calls `found` with a position's own cell, and whether others are near;
+    /// then with these.
     #[inline(always)]
-    fn cells(&self, position: DVec3, mut found: impl FnMut(u64)) {
-        let place = position / self.side;
-        let own = place.floor();
-        found(hash(own));
+    fn cells(&self, position: DVec3, mut found: impl FnMut(u64, bool)) {
+        let place = position * self.per_unit;
+        let own = DVec3::new(floor(place.x), floor(place.y), floor(place.z));
         let inside = place - own;
-        // Quotients are rounded too.
+        // Products are rounded too.
         let margin = DVec3::splat(self.margin) + place.abs() * f64::EPSILON;
         let low = inside.cmple(margin);
         let high = (DVec3::ONE - inside).cmple(margin);
-        if !(low | high).any() {
+        let is_at_wall = (low | high).any();
+        found(hash(own), is_at_wall);
+        if !is_at_wall {
             return;
         }
         let step = |axis: usize| match (low.test(axis), high.test(axis)) {
@@ -104,36 +111,53 @@ impl Grid {
                 DVec3::new(f64::from(which & 1), f64::from(which >> 1 & 1), f64::from(which >> 2));
             // Without a wall on a chosen side that cell has been told.
             if chosen.cmpgt(DVec3::ZERO).bitmask() & steps.cmpeq(DVec3::ZERO).bitmask() == 0 {
-                found(hash(own + steps * chosen));
+                found(hash(own + steps * chosen), true);
             }
         }
     }
 }
 
-fn hash(cell: DVec3) -> u64 {
-    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-    for number in (cell + DVec3::ZERO).to_array() {
-        let product = u128::from(state ^ number.to_bits()) * 0xd6e8_feb8_6659_fd93_u128;
-        state = (product as u64) ^ ((product >> 64) as u64).rotate_left(17);
-    }
-    state ^ (state >> 29)
+/// The greatest whole number not above this one: without a call where the
+/// processor has no instruction for it.
+#[inline(always)]
+fn floor(number: f64) -> f64 {
+    const WHOLE: f64 = (1_u64 << 52) as f64;
+    let cut = number as i64 as f64;
+    let floor = if cut > number { cut - 1.0 } else { cut };
+    if number.abs() < WHOLE { floor } else { number }
 }
 
-/// A vertex in a cell, in one word for the sake of sorting: 31 bits of the
-/// cell's hash, whether the cell is not its own, the vertex.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[inline(always)]
+fn hash(cell: DVec3) -> u64 {
+    let [x, y, z] = (cell + DVec3::ZERO).to_array().map(f64::to_bits);
+    let mixed = (x.wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29) ^ y)
+        .wrapping_mul(0xd6e8_feb8_6659_fd93)
+        .rotate_left(31)
+        ^ z;
+    let mixed = (mixed ^ mixed >> 32).wrapping_mul(0xa076_1d64_78bd_642f);
+    (mixed ^ mixed >> 29).wrapping_mul(0xe703_7ed1_a0b4_28db)
+}
+
+/// A vertex in a cell, in one word: 30 bits of the cell's hash, whether the
+/// cell is not its own, whether it is in others too, the vertex.
+#[derive(Clone, Copy)]
 struct Entry(u64);
 
 impl Entry {
-    fn new(hash: u64, is_guest: bool, vertex: u32) -> Self {
-        Entry(hash >> 33 << 33 | u64::from(is_guest) << 32 | u64::from(vertex))
+    fn new(hash: u64, is_guest: bool, is_at_wall: bool, vertex: u32) -> Self {
+        let flags = u64::from(is_guest) << 33 | u64::from(is_at_wall) << 32;
+        Entry(hash >> 34 << 34 | flags | u64::from(vertex))
     }
 
     fn cell(self) -> u64 {
-        self.0 >> 33
+        self.0 >> 34
     }
 
     fn is_guest(self) -> bool {
+        self.0 >> 33 & 1 == 1
+    }
+
+    fn is_at_wall(self) -> bool {
         self.0 >> 32 & 1 == 1
     }
 
@@ -164,8 +188,8 @@ fn deal(positions: &[DVec3], grid: &Grid, part: Range<usize>, bits: u32) -> Deal
     let mut all = Vec::with_capacity(part.len() * 3 / 2);
     for vertex in part {
         let mut is_guest = false;
-        grid.cells(positions[vertex], |hash| {
-            all.push(Entry::new(hash, is_guest, vertex as u32));
+        grid.cells(positions[vertex], |hash, is_at_wall| {
+            all.push(Entry::new(hash, is_guest, is_at_wall, vertex as u32));
             is_guest = true;
         });
     }
@@ -188,37 +212,124 @@ fn deal(positions: &[DVec3], grid: &Grid, part: Range<usize>, bits: u32) -> Deal
     Dealt { entries, ends }
 }
 
-/// What is done with the vertices of a cell.
-struct Cell<'a> {
+/// Calls `work` with the entries of each cell that has more than one.
+fn for_each_cell(entries: &[Entry], mut work: impl FnMut(&[Entry])) {
+    const NONE: u32 = u32::MAX;
+    let slots = (2 * entries.len()).max(4).next_power_of_two();
+    // The last entry of the cell in each slot, and for each entry the one
+    // before it in its cell.
+    let mut last = vec![NONE; slots];
+    let mut before = vec![NONE; entries.len()];
+    for (number, entry) in entries.iter().enumerate() {
+        let mut slot = entry.cell() as usize & (slots - 1);
+        while last[slot] != NONE && entries[last[slot] as usize].cell() != entry.cell() {
+            slot = (slot + 1) & (slots - 1);
+        }
+        before[number] = last[slot];
+        last[slot] = number as u32;
+    }
+    let mut cell = Vec::new();
+    for mut number in last {
+        if number == NONE || before[number as usize] == NONE {
+            continue;
+        }
+        cell.clear();
+        while number != NONE {
+            cell.push(entries[number as usize]);
+            number = before[number as usize];
+        }
+        work(&cell);
+    }
+}
+
+/// So many vertices of a cell are compared one with another.
+const FEW: usize = 12;
+
+/// What is done with the vertices of a bucket.
+struct Bucket<'a> {
     positions: &'a [DVec3],
+    locks: &'a [u8],
     tolerance: Tolerance,
     first: &'a [AtomicU32],
+    kept: &'a [AtomicU32],
     links: Vec<[u32; 2]>,
 }
 
-impl Cell<'_> {
+/// A position in a cell.
+#[derive(Clone, Copy)]
+struct Place {
+    position: DVec3,
+    /// The first vertex there.
+    first: u32,
+    locks: u8,
+}
+
+impl Bucket<'_> {
     fn position(&self, entry: Entry) -> DVec3 {
         self.positions[entry.vertex() as usize]
     }
 
-    fn compare(&mut self, together: &[Entry]) {
-        if let &[a, b] = together {
-            let [p, q] = [a, b].map(|entry| self.position(entry));
-            if p == q {
-                self.equal(&[a, b]);
-            } else if self.tolerance.allows(p, q) {
-                self.links.push([a.vertex(), b.vertex()]);
+    fn compare(&mut self, cell: &[Entry]) {
+        let mut places = [Place { position: DVec3::ZERO, first: 0, locks: 0 }; FEW];
+        if cell.len() > FEW {
+            return self.compare_many(cell);
+        }
+        let places = &mut places[..cell.len()];
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for (place, &entry) in places.iter_mut().zip(cell) {
+            let (position, locks) = (self.position(entry), self.locks[entry.vertex() as usize]);
+            (low, high) = (low.min(position), high.max(position));
+            *place = Place { position, first: entry.vertex(), locks };
+        }
+        if low == high {
+            return self.equal(cell);
+        }
+        // Equal ones get one name, the least.
+        for i in 0..places.len() {
+            for j in 0..places.len() {
+                if places[i].position == places[j].position {
+                    places[i].first = places[i].first.min(places[j].first);
+                    places[i].locks |= places[j].locks;
+                }
             }
+        }
+        let all_are_near = self.tolerance.allows(low, high);
+        let is_alone = !cell.iter().any(|entry| entry.is_at_wall());
+        let keeper = if all_are_near && is_alone { keeper(places) } else { None };
+        for (place, entry) in places.iter().zip(cell).filter(|(_, entry)| !entry.is_guest()) {
+            let kept = keeper.unwrap_or(place.first);
+            self.first[entry.vertex() as usize].store(place.first, Relaxed);
+            self.kept[entry.vertex() as usize].store(kept, Relaxed);
+        }
+        if keeper.is_some() {
             return;
         }
-        let axis = longest_side(together.iter().map(|&entry| self.position(entry)));
+        for i in 1..places.len() {
+            for j in 0..i {
+                let is_other = places[i].first != places[j].first;
+                if is_other && self.tolerance.allows(places[i].position, places[j].position) {
+                    self.links.push([places[i].first, places[j].first]);
+                }
+            }
+        }
+    }
+
+    /// Notes that vertices have one position.
+    fn equal(&mut self, vertices: &[Entry]) {
+        let first = vertices.iter().map(|entry| entry.vertex()).min().unwrap_or(0);
+        // A guest is at home with the same company.
+        for entry in vertices.iter().filter(|entry| !entry.is_guest()) {
+            self.first[entry.vertex() as usize].store(first, Relaxed);
+            self.kept[entry.vertex() as usize].store(first, Relaxed);
+        }
+    }
+
+    fn compare_many(&mut self, cell: &[Entry]) {
+        let axis = longest_side(cell.iter().map(|&entry| self.position(entry)));
+        let turned = |p: DVec3| DVec3::new(p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]);
         let mut sorted: Vec<(DVec3, Entry)> =
-            together.iter().map(|&entry| (self.position(entry) + DVec3::ZERO, entry)).collect();
-        sorted.sort_unstable_by(|(p, a), (q, b)| {
-            let places = [axis, (axis + 1) % 3, (axis + 2) % 3].map(|k| p[k].total_cmp(&q[k]));
-            let place = places.into_iter().fold(Ordering::Equal, Ordering::then);
-            place.then(a.vertex().cmp(&b.vertex()))
-        });
+            cell.iter().map(|&entry| (turned(self.position(entry)) + DVec3::ZERO, entry)).collect();
+        sorted.sort_unstable_by(|(p, a), (q, b)| compare(*p, *q).then(a.vertex().cmp(&b.vertex())));
         let mut distinct: Vec<(DVec3, u32)> = Vec::with_capacity(sorted.len());
         for equal in sorted.chunk_by(|(p, _), (q, _)| p == q) {
             distinct.push((equal[0].0, equal[0].1.vertex()));
@@ -226,24 +337,16 @@ impl Cell<'_> {
                 self.equal(&equal.iter().map(|(_, entry)| *entry).collect::<Vec<_>>());
             }
         }
-        self.sweep(&distinct, axis);
+        self.sweep(&distinct);
     }
 
-    /// Notes that vertices, the first in front, have one position.
-    fn equal(&mut self, vertices: &[Entry]) {
-        let first = vertices.iter().map(|entry| entry.vertex()).min().unwrap_or(0);
-        // A guest is at home with the same company.
-        let at_home = vertices.iter().filter(|entry| !entry.is_guest());
-        at_home.for_each(|entry| self.first[entry.vertex() as usize].store(first, Relaxed));
-    }
-
-    /// Links positions that are sorted along an axis.
-    fn sweep(&mut self, sorted: &[(DVec3, u32)], axis: usize) {
+    /// Links positions that are sorted.
+    fn sweep(&mut self, sorted: &[(DVec3, u32)]) {
         let mut parents: Vec<u32> = (0..sorted.len() as u32).collect();
         let reach = self.tolerance.distance();
         for (i, &(p, vertex)) in sorted.iter().enumerate() {
             for (j, &(q, other)) in sorted.iter().enumerate().skip(i + 1) {
-                if q[axis] - p[axis] > reach {
+                if q.x - p.x > reach {
                     break;
                 }
                 let pair = [i as u32, j as u32];
@@ -255,6 +358,19 @@ impl Cell<'_> {
             }
         }
     }
+}
+
+/// The place that is kept of some that are all near one another, if it is in
+/// the planes of all others.
+fn keeper(places: &[Place]) -> Option<u32> {
+    let best = places.iter().min_by(|a, b| {
+        (b.locks.count_ones().cmp(&a.locks.count_ones())).then(rank(a.position, b.position))
+    })?;
+    let is_in_plane = |place: &Place| {
+        let same = best.position.cmpeq(place.position).bitmask() as u8;
+        place.locks & !same == 0
+    };
+    places.iter().all(is_in_plane).then_some(best.first)
 }
 
 fn longest_side(positions: impl Iterator<Item = DVec3>) -> usize {
@@ -289,10 +405,13 @@ mod tests {
 
     fn check(positions: &[DVec3], distance: f64) {
         let tolerance = Tolerance::new(distance);
-        let found = near(positions, tolerance);
+        let found = near(positions, &vec![0; positions.len()], tolerance);
         let (first, roots) = by_all_pairs(positions, tolerance);
         assert_eq!(found.first, first);
         let mut parents: Vec<u32> = found.first.clone();
+        for (vertex, &kept) in (0..).zip(&found.kept) {
+            join(&mut parents, [vertex, kept]);
+        }
         found.links.into_iter().for_each(|link| {
             join(&mut parents, link);
         });

@@ -79,32 +79,27 @@ pub(super) struct Net<'s> {
 const PART: usize = 1 << 14;
 
 impl<'s> Net<'s> {
-    /// The objects as they are; links between places that are near.
-    pub(super) fn new(
-        soups: &'s [Soup],
-        starts: Vec<u32>,
-        positions: Vec<DVec3>,
-        tolerance: Tolerance,
-    ) -> (Self, Vec<[u32; 2]>) {
-        let Near { first, links } = near(&positions, tolerance);
-        let net = Net {
+    /// The objects as they are, all vertices apart.
+    pub(super) fn new(soups: &'s [Soup], starts: Vec<u32>, positions: Vec<DVec3>) -> Self {
+        let names: Vec<u32> = (0..positions.len() as u32).collect();
+        Net {
             soups,
             starts,
             places: positions,
-            now: first.clone(),
-            first,
+            now: names.clone(),
+            first: names,
             before: FxHashMap::default(),
             joined: Vec::new(),
             changed: FxHashMap::default(),
-        };
-        (net, links)
+        }
     }
 
     /// Links between places that are near now.
     pub(super) fn links(&self, tolerance: Tolerance) -> Vec<[u32; 2]> {
         let moved = |vertex: usize| self.at(self.now[vertex]);
         let positions: Vec<DVec3> = map_small(self.now.len(), moved);
-        let Near { first, links } = near(&positions, tolerance);
+        let none = vec![0b111; positions.len()];
+        let Near { first, links, .. } = near(&positions, &none, tolerance);
         // Places that have come to the same position are still two.
         let name = |vertex: u32| self.now[vertex as usize];
         let named = links.into_iter().map(|link| link.map(name));
@@ -148,6 +143,13 @@ impl<'s> Net<'s> {
         self.now = map_small(self.now.len(), |vertex| target[self.now[vertex] as usize]);
     }
 
+    /// Whether any place has become another.
+    pub(super) fn is_merged(&self) -> bool {
+        let parts =
+            map_chunks(self.now.len(), PART, |part| self.now[part.clone()] == self.first[part]);
+        parts.into_iter().any(|same| !same)
+    }
+
     /// Notes which places have become others, before any of them is moved.
     pub(super) fn note_joined(&mut self) {
         let joined = map_chunks(self.now.len(), PART, |part| {
@@ -177,6 +179,16 @@ impl<'s> Net<'s> {
         let now = |&corner: &u32| self.now[(start + corner) as usize];
         for ring in self.soups[name.object as usize].faces.rings(name.face as usize) {
             rings.push(ring.iter().map(now));
+        }
+    }
+
+    /// The rings of a face in its file, by the places of then.
+    pub(super) fn old_rings(&self, name: FaceName, rings: &mut Rings) {
+        rings.clear();
+        let start = self.starts[name.object as usize];
+        let first = |&corner: &u32| self.first[(start + corner) as usize];
+        for ring in self.soups[name.object as usize].faces.rings(name.face as usize) {
+            rings.push(ring.iter().map(first));
         }
     }
 

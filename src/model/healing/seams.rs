@@ -1,8 +1,7 @@
 //! Vertices to edges: a corner beside a border of its own object becomes a
 //! corner of that border too.
 //!
-//! A border is a side that an odd number of faces have. Where a long side lies
-//! against several short ones, the ends of the short ones lie beside the long
+//! Where a long side lies against several short ones, the ends of the short ones lie beside the long
 //! one, off by the rounding of their coordinates. Each border is led through
 //! all ends of other borders that are near it, once, by its place in the file,
 //! so nothing drifts.
@@ -11,25 +10,11 @@ use super::Tolerance;
 use super::coordinates::hierarchy;
 use super::net::Net;
 use super::splits::{Side, Splits};
-use super::survey::Survey;
-use crate::run::{Run, map_chunks, sort_by};
+use crate::run::{Run, map_chunks};
 use glam::DVec3;
 
 /// Places that one task looks at.
 const PART: usize = 1 << 10;
-
-/// All borders, sorted.
-pub(super) fn borders(net: &Net<'_>, survey: &Survey) -> Vec<Side> {
-    let parts = net.map_faces(Vec::new, |sides: &mut Vec<Side>, name, rings| {
-        let open =
-            rings.sides().filter(|[a, b]| a != b && survey.is_open(*a) && survey.is_open(*b));
-        sides.extend(open.map(|side| Side::new(name.object, side)));
-    });
-    let mut sides = parts.concat();
-    sort_by(&mut sides, Ord::cmp);
-    let odd = sides.chunk_by(|a, b| a == b).filter(|same| same.len() % 2 == 1);
-    odd.map(|same| same[0]).collect()
-}
 
 /// Leads borders through what lies beside them; how many faces collapse.
 pub(super) fn close(

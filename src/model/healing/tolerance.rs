@@ -62,6 +62,12 @@ pub(super) fn compare(p: DVec3, q: DVec3) -> Ordering {
     coordinates.fold(Ordering::Equal, |order, (x, y)| order.then(x.total_cmp(&y)))
 }
 
+/// An order of positions that prefers those nearest to the planes through the
+/// origin: of 0 and what is left of it by rounding, 0.
+pub(super) fn rank(p: DVec3, q: DVec3) -> Ordering {
+    compare(p.abs(), q.abs()).then(compare(p, q))
+}
+
 /// The distance of two positions.
 pub(super) fn distance(p: DVec3, q: DVec3) -> f64 {
     let offset = p - q;

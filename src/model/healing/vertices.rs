@@ -11,7 +11,7 @@
 //! place that is kept takes them over from those that join it.
 
 use super::net::Net;
-use super::{Tolerance, coordinates};
+use super::{Tolerance, rank};
 use crate::model::components::{join, root};
 use crate::run::{map_chunks, sort_by};
 use glam::DVec3;
@@ -43,13 +43,13 @@ struct Merged {
     shifted: Vec<(u32, DVec3)>,
 }
 
-/// Merges places along links that connect all near ones.
-pub(super) fn merge(net: &mut Net<'_>, links: &[[u32; 2]], tolerance: Tolerance) {
+/// Merges places along links that connect all near ones. `locks` are the axes
+/// of coordinates that are not free, as bits.
+pub(super) fn merge(net: &mut Net<'_>, links: &[[u32; 2]], locks: &[u8], tolerance: Tolerance) {
     if links.is_empty() {
         return;
     }
-    let locks = coordinates::locks(net);
-    let members = members(net.first.len(), links);
+    let members = members(links);
     let groups: Vec<&[(u32, u32)]> = members.chunk_by(|a, b| a.0 == b.0).collect();
     let parts = map_chunks(groups.len(), PART, |part| {
         let mut merged = Merged { pairs: Vec::new(), shifted: Vec::new() };
@@ -73,16 +73,17 @@ pub(super) fn merge(net: &mut Net<'_>, links: &[[u32; 2]], tolerance: Tolerance)
 }
 
 /// The linked places by the group that they are in.
-fn members(count: usize, links: &[[u32; 2]]) -> Vec<(u32, u32)> {
-    let mut parents: Vec<u32> = (0..count as u32).collect();
-    links.iter().for_each(|&link| {
-        join(&mut parents, link);
-    });
-    let mut linked = vec![false; count];
-    links.iter().flatten().for_each(|&place| linked[place as usize] = true);
-    let places = (0..count as u32).filter(|&place| linked[place as usize]);
-    let mut members: Vec<(u32, u32)> =
-        places.map(|place| (root(&mut parents, place), place)).collect();
+fn members(links: &[[u32; 2]]) -> Vec<(u32, u32)> {
+    let mut places = links.as_flattened().to_vec();
+    sort_by(&mut places, Ord::cmp);
+    places.dedup();
+    let number = |place: u32| places.partition_point(|&other| other < place) as u32;
+    let mut parents: Vec<u32> = (0..places.len() as u32).collect();
+    for link in links {
+        join(&mut parents, link.map(number));
+    }
+    let group = |(number, &place): (u32, &u32)| (root(&mut parents, number), place);
+    let mut members: Vec<(u32, u32)> = (0..).zip(&places).map(group).collect();
     sort_by(&mut members, Ord::cmp);
     members
 }
@@ -94,7 +95,7 @@ fn merge_group(net: &Net<'_>, mut group: Vec<Member>, tolerance: Tolerance, merg
             group[i].near = group.iter().filter(|other| near(&group[i], other)).count() as u32;
         }
     }
-    group.sort_by(rank);
+    group.sort_by(by_rank);
     let mut kept = Kept::new(tolerance);
     let mut joined: Vec<Member> = Vec::new();
     for member in group {
@@ -122,13 +123,10 @@ fn merge_group(net: &Net<'_>, mut group: Vec<Member>, tolerance: Tolerance, merg
 }
 
 /// Which is kept rather.
-fn rank(a: &Member, b: &Member) -> Ordering {
-    let [p, q] = [a, b].map(|member| member.position.to_array());
-    let sizes = p.iter().zip(&q).map(|(x, y)| x.abs().total_cmp(&y.abs()));
-    let signed = p.iter().zip(&q).map(|(x, y)| x.total_cmp(y));
+fn by_rank(a: &Member, b: &Member) -> Ordering {
     (b.locks.count_ones().cmp(&a.locks.count_ones()))
         .then(b.near.cmp(&a.near))
-        .then(sizes.chain(signed).fold(Ordering::Equal, Ordering::then))
+        .then(rank(a.position, b.position))
 }
 
 /// The place that is kept, in the planes of all that join it, if none of them

@@ -4,7 +4,7 @@
 use super::net::{FaceName, Net, Rings};
 use super::{HealReport, distance};
 use crate::model::{Faces, Soup};
-use crate::run::map_chunks;
+use crate::run::{map_chunks, map_small};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
@@ -39,16 +39,17 @@ impl Healed {
         changed.sort_unstable();
         changed.dedup();
         let faces = changed.into_iter().map(|object| new_faces(&net, object)).collect();
-        let Net { mut places, starts, now, .. } = net;
-        // The place that others go to is its own.
-        for vertex in 0..places.len() {
-            let place = places[now[vertex] as usize];
-            // Of two zeros that are equal each vertex keeps its own.
-            if places[vertex] != place {
-                places[vertex] = place;
-            }
-        }
-        Healed { positions: places, starts, faces, report }
+        let Net { places, starts, now, .. } = net;
+        let positions = if report.moved == 0 {
+            places
+        } else {
+            map_small(places.len(), |vertex| {
+                let (old, new) = (places[vertex], places[now[vertex] as usize]);
+                // Of two zeros that are equal each vertex keeps its own.
+                if old == new { old } else { new }
+            })
+        };
+        Healed { positions, starts, faces, report }
     }
 
     /// Gives the objects their vertices back.
