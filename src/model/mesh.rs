@@ -10,7 +10,7 @@ use super::borders::Borders;
 use super::crossed::CrossedFaces;
 use super::faces::{Source, Triangles, are_polygonal};
 use super::weld::{merge_close, weld};
-use super::{Color, Edges, FacePlace, FacePlaces, Soup};
+use super::{Color, Edges, FacePlace, FacePlaces, Precision, Soup};
 use crate::run::{Cancelled, Run, map_chunks, map_small};
 use glam::DVec3;
 use std::ops::Range;
@@ -80,6 +80,8 @@ pub struct Mesh {
     colors: Vec<Option<Color>>,
     borders: Borders,
     crossed_faces: Vec<u32>,
+    /// That of each object.
+    precisions: Vec<Precision>,
     report: MeshReport,
 }
 
@@ -200,6 +202,7 @@ impl Mesh {
             vertices,
             loose_lines: lines,
             objects: vec![object],
+            precisions: vec![Precision::default()],
             ..Mesh::default()
         })
     }
@@ -233,6 +236,7 @@ impl Mesh {
                 self.colors.resize(faces.start as usize, None);
                 self.colors.extend(colors);
             }
+            self.precisions.push(soup.precision);
             self.objects.push(Object {
                 name: soup.name,
                 vertices: vertex_start..vertex_end,
@@ -389,6 +393,17 @@ impl Mesh {
     pub fn runs_along(&self, triangle: u32, [a, b]: [u32; 2]) -> bool {
         let [x, y, z] = self.triangles[triangle as usize];
         (x == a && y == b) || (y == a && z == b) || (z == a && x == b)
+    }
+
+    /// The distance within which places of the files may be one, the largest
+    /// of all objects: [`Precision::resolution`]. O(n).
+    pub fn resolution(&self) -> f64 {
+        let objects = self.objects.iter().zip(&self.precisions);
+        let of = |(object, precision): (&Object, &Precision)| {
+            let vertices = object.vertices.start as usize..object.vertices.end as usize;
+            precision.resolution(&self.vertices[vertices])
+        };
+        objects.map(of).fold(0.0, f64::max)
     }
 
     /// The box of all triangles and loose lines as (least, greatest) corner.

@@ -3,7 +3,7 @@
 use crate::crossed_faces;
 use crate::failure::Failure;
 use crate::input::{STANDARD_INPUT, read_input};
-use crate::model_flags::{AxisName, ModelFlags};
+use crate::model_flags::{AxisName, Heal, ModelFlags};
 use crate::session::RunFlags;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
 use umriss::model::import::{
     Format, ImportOptions, Imported, line_of_face, read_bytes_within, read_file_within,
 };
-use umriss::model::{MeshError, Scene, SceneOptions, Soup, Unit};
+use umriss::model::{HealReport, MeshError, Scene, SceneOptions, Soup, Unit};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
 
@@ -153,7 +153,7 @@ fn scene_of(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    let mut unit = None;
+    let (mut unit, mut resolution) = (None, 0.0_f64);
     let mut soups = Vec::new();
     let mut formats = Vec::new();
     run.stage("reading", sources.len() as u64, || {
@@ -163,6 +163,10 @@ fn scene_of(
                 session.note(&format!("{}: {warning}", source.name()));
             }
             formats.push(imported.format);
+            resolution = resolution.max(match flags.heal {
+                Some(Heal::Auto) => imported.resolution(),
+                _ => 0.0,
+            });
             unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
             soups.extend(upright_soups(imported, flags, source));
             run.advance(1);
@@ -170,6 +174,13 @@ fn scene_of(
         Ok::<(), Failure>(())
     })?;
     select(&mut soups)?;
+    if let Some(heal) = flags.heal {
+        let tolerance = heal.tolerance(resolution);
+        let report = run.stage("healing", soups.len() as u64, || {
+            umriss::model::heal(&mut soups, tolerance, run)
+        })?;
+        session.note(&told(tolerance, &report));
+    }
     let options = SceneOptions { weld: flags.weld, unit: unit.unwrap_or_default() };
     let made = run.stage("mesh", soups.len() as u64, || Scene::within(soups, &options, run));
     let scene = made.map_err(|error| match sources {
@@ -186,6 +197,15 @@ fn scene_of(
         session.note(&format!("--weld moved {merged} vertices onto others"));
     }
     Ok(scene)
+}
+
+/// What healing did, in one line.
+fn told(tolerance: f64, report: &HealReport) -> String {
+    let HealReport { moved, farthest, closed_borders, collapsed_faces } = report;
+    format!(
+        "--heal {tolerance:.2e}: {moved} places moved, by {farthest:.2e} at most; {closed_borders} \
+         borders closed; {collapsed_faces} faces collapsed"
+    )
 }
 
 fn import(source: &mut Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {

@@ -18,7 +18,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::super::{Faces, Soup};
+use super::super::{Faces, Precision, Soup};
 use super::error::{Fault, Read};
 use super::{Format, Found, stl_text};
 use crate::run::{Run, join_lists, map_chunks};
@@ -185,7 +185,8 @@ fn soup_of(facets: &Facets<'_>, run: &Run<'_>) -> io::Result<Read<Soup>> {
     let vertices = join_lists(vertices, |_, vertex| *vertex);
     let numbers = join_lists(numbers, |_, number| *number);
     let faces = Faces::from_triangles(join_lists(corners, |part, corner| corner + offsets[part]));
-    Ok(Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() }))
+    let (vertex_numbers, precision) = (Some(numbers), Precision::Float32);
+    Ok(Ok(Soup { vertices, vertex_numbers, precision, faces, ..Soup::default() }))
 }
 
 impl Part {

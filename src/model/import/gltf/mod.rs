@@ -34,7 +34,7 @@ use self::container::Document;
 use self::document::{Natural, Node};
 use self::instances::{instances, transform};
 use self::names::Names;
-use super::super::Soup;
+use super::super::{Precision, Soup};
 use super::Found;
 use super::error::Read;
 use super::json_places::Step;
@@ -134,6 +134,7 @@ impl Walk<'_, '_> {
                 spent.map_err(|message| document.fault(&path, message))?;
             }
             let mut object = object.clone();
+            object.precision = precision(&object.vertices, world * transform);
             place(&mut object.vertices, world * transform).map_err(|vertex| {
                 document.fault(&path, format!(
                     "vertex {vertex} of node {number} is not finite, expected a smaller transform"
@@ -144,6 +145,17 @@ impl Walk<'_, '_> {
         }
         Ok(())
     }
+}
+
+/// How the vertices of a mesh, which are narrow floats, are rounded once they
+/// are in the world.
+fn precision(vertices: &[DVec3], world: DMat4) -> Precision {
+    if world == DMat4::IDENTITY {
+        return Precision::Float32;
+    }
+    let [x, y, z] = [world.x_axis, world.y_axis, world.z_axis].map(|axis| axis.truncate().length());
+    let distance = world.w_axis.truncate().abs().max_element();
+    Precision::of_placed(vertices, x.max(y).max(z), distance)
 }
 
 /// Moves vertices into the world; the error is the first that is no longer

@@ -4,6 +4,7 @@
 //! that begin with no keyword are passed over and told, unless they have the
 //! form of a declaration whose keyword is misspelt.
 
+use super::super::super::Precision;
 use super::super::error::{Fault, Read, quote};
 use super::super::text::{Text, integer};
 
@@ -216,6 +217,19 @@ fn remark(warnings: &mut Vec<String>, word: &[u8], line: u64) {
     if warnings.len() < MOST {
         let word = quote(word);
         warnings.push(format!("the header line {word} is ignored (line {line})"));
+    }
+}
+
+/// How positions are rounded by the types that the header gives them.
+pub(super) fn precision(encoding: Encoding, elements: &[Element<'_>]) -> Precision {
+    let is_coordinate = |role| matches!(role, Role::X | Role::Y | Role::Z);
+    let mut properties = elements.iter().flat_map(|element| &element.properties);
+    let is_narrow =
+        properties.any(|property| is_coordinate(property.role) && property.kind == Kind::F32);
+    match encoding {
+        // Text has the decimals that it has.
+        Encoding::LittleEndian | Encoding::BigEndian if is_narrow => Precision::Float32,
+        _ => Precision::AsWritten,
     }
 }
 

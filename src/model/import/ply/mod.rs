@@ -76,6 +76,7 @@ pub(super) fn read(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
     }
     found.warnings.extend(rows.finish());
     let Reader { mut soup, colors, .. } = reader;
+    soup.precision = header::precision(encoding, &elements);
     if colors.iter().any(Option::is_some) {
         soup.colors = Some(colors);
     }
