@@ -1,9 +1,15 @@
 //! Lines that regions show and visible lines: the same pieces.
+//!
+//! A face that reaches before the near plane hides lines as a whole, and has a
+//! region beyond the plane only. A piece that is hidden by nothing else is
+//! counted apart, after all faces were asked once more, each as far as it lies
+//! beyond the plane.
 
 use super::PART;
 use super::places::Places;
 use super::report::RegionReport;
-use crate::kernel::predicates::{Place, Policy};
+use crate::kernel::numbers::Sign;
+use crate::kernel::predicates::{Cut, Place, Policy};
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::view::{ExactLines, ExactPiece, LineQuestion};
 
@@ -70,6 +76,10 @@ impl<P: Policy> Borders<'_, '_, P> {
                     continue;
                 }
                 (true, false) => "visible, but not shown by regions",
+                (false, true) if self.is_free_beyond_near(line, [from, to]) => {
+                    self.report.before_near += 1;
+                    continue;
+                }
                 (false, true) => "shown by regions, but not visible",
                 (false, false) => continue,
             };
@@ -77,6 +87,36 @@ impl<P: Policy> Borders<'_, '_, P> {
             let what = format!("border: line {line} from {from:?} to {to:?}: {what}");
             self.differ(vec![span], what);
         }
+    }
+
+    /// Whether no face hides a piece, within which nothing changes, with what of
+    /// it lies beyond the near plane. O(n).
+    fn is_free_beyond_near(&self, line: usize, places: [Place; 2]) -> bool {
+        let question = self.places.question();
+        if !question.points.has_near_plane() {
+            return false;
+        }
+        let (predicates, carrier) = (self.places.predicates(), self.places.carrier(line));
+        let inside = |cut| predicates.between(carrier, places, cut);
+        question.mesh.triangles().iter().zip(question.facing).all(|(&[a, b, c], &facing)| {
+            let is_behind = !facing.is_zero() && inside(Cut::Face([a, b, c])) == facing;
+            // Where the ray through the piece meets the plane of the face.
+            if !is_behind || inside(Cut::NearLine([a, b, c])) != -facing {
+                return true;
+            }
+            let mut covers = [true; 2];
+            for (edge, third) in [([a, b], c), ([b, c], a), ([c, a], b)] {
+                match inside(Cut::Silhouette(edge)) * facing {
+                    Sign::Positive => {}
+                    Sign::Negative => covers = [false; 2],
+                    Sign::Zero => {
+                        let left = predicates.image_side(carrier, third) == Sign::Positive;
+                        covers = [covers[0] && left, covers[1] && !left];
+                    }
+                }
+            }
+            !covers.contains(&true)
+        })
     }
 
     fn differ(&mut self, spans: Vec<[glam::DVec2; 2]>, what: String) {

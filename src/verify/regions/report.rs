@@ -29,6 +29,9 @@ pub struct RegionReport {
     pub samples_on_edges: u64,
     /// Pieces of lines.
     pub border: RegionTally,
+    /// Pieces that regions show and faces hide only with what of them lies
+    /// before the near plane, which regions do not know.
+    pub before_near: u64,
     described: Vec<String>,
     pub(super) segments: Vec<[DVec2; 2]>,
 }
@@ -59,6 +62,7 @@ impl RegionReport {
         add(&mut self.owner, other.owner);
         add(&mut self.border, other.border);
         self.samples_on_edges += other.samples_on_edges;
+        self.before_near += other.before_near;
         self.segments.extend(other.segments);
         other.described.into_iter().for_each(|what| self.describe(what));
     }
@@ -76,6 +80,10 @@ impl fmt::Display for RegionReport {
         }
         if self.samples_on_edges > 0 {
             writeln!(f, "owner: besides, {} samples on edges", self.samples_on_edges)?;
+        }
+        if self.before_near > 0 {
+            let count = self.before_near;
+            writeln!(f, "border: besides, {count} pieces hidden only before the near plane")?;
         }
         self.described.iter().try_for_each(|what| writeln!(f, "{what}"))
     }
