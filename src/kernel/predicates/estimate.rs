@@ -23,11 +23,16 @@ pub struct Estimate {
 
 impl<P: Policy> Predicates<'_, P> {
     fn estimate<F: Formula>(&self, formula: &F) -> Estimate {
-        if !self.points().floats_hold(formula.bits(self.points().spread())) {
+        let points = self.points();
+        let more = match points.is_narrow() {
+            true => points.floats_hold(formula.bits(points.spread())).then_some(0.0),
+            false => points.underflow(formula),
+        };
+        let Some(more) = more else {
             return Estimate { value: 0.0, bound: f64::INFINITY };
-        }
-        let value = formula.evaluate::<Filtered>(self.points());
-        Estimate { value: value.value(), bound: value.bound() }
+        };
+        let value = formula.evaluate::<Filtered>(points);
+        Estimate { value: value.value(), bound: value.bound() + more }
     }
 
     /// The value whose sign is [`Self::side`].

@@ -18,7 +18,7 @@
 use super::chart::Bits;
 use super::{Chart, Formula, ImageLine, ImagePoint, Points, Policy, Predicate, Predicates};
 use crate::kernel::numbers::{
-    BigInteger, Filtered, Ring, Sign, SmallInteger, cross, dot, scale_by_power_of_two,
+    BigInteger, Dyadic, Filtered, Ring, Sign, SmallInteger, cross, dot, scale_by_power_of_two,
 };
 use std::cmp::Ordering;
 
@@ -62,8 +62,9 @@ impl Formula for Beside<'_> {
         6
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        self.0.line_bits(self.1).dot(self.0.point_bits(self.2))
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        chart.line_bits(self.1).dot(chart.point_bits(self.2))
     }
 
     #[inline(always)]
@@ -82,9 +83,10 @@ impl Formula for Bend<'_> {
         5
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        let [first, second] = self.1.map(|line| self.0.line_bits(line));
-        first.cross(second).dot(self.0.key_bits())
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        let [first, second] = self.1.map(|line| chart.line_bits(line));
+        first.cross(second).dot(chart.key_bits())
     }
 
     #[inline(always)]
@@ -108,9 +110,10 @@ impl Formula for Sweep<'_> {
         9
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        let [first, second] = self.1.map(|point| self.0.point_bits(point));
-        first.cross(second).dot(self.0.key_bits())
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        let [first, second] = self.1.map(|point| chart.point_bits(point));
+        first.cross(second).dot(chart.key_bits())
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
@@ -130,8 +133,9 @@ impl Formula for Run<'_> {
         3
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        self.0.line_bits(self.1).dot(self.0.key_bits())
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        chart.line_bits(self.1).dot(chart.key_bits())
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
@@ -243,8 +247,8 @@ impl<P: Policy> Predicates<'_, P> {
             256..=383 => quotients::<6>(chart, points, point),
             384..=511 => quotients::<8>(chart, points, point),
             _ => {
-                let (parts, weight) = ratio::<BigInteger>(chart, points, point);
-                return parts.map(|part| BigInteger::scaled_ratio(&part, &weight, exponent));
+                let (parts, weight) = ratio::<Dyadic>(chart, points, point);
+                return parts.map(|part| Dyadic::scaled_ratio(&part, &weight, exponent));
             }
         };
         quotients.map(|quotient| scale_by_power_of_two(quotient, exponent.into()))

@@ -7,9 +7,8 @@
 //! vertices of its edge.
 
 use super::formula::{Value, Weighted, beside, cut_at_vertex};
-use super::ladder::exact_value;
 use super::{Carrier, Cut, Formula, Measured, Point, Points, Policy, Predicates};
-use crate::kernel::numbers::{BigInteger, SmallInteger};
+use crate::kernel::numbers::{Dyadic, SmallInteger};
 
 /// A carrier that is divided by cuts.
 #[derive(Debug, Clone)]
@@ -122,9 +121,9 @@ impl Division<'_> {
     #[cold]
     fn by_integers_of_any_width(&self, cut: Cut) -> f64 {
         let [start, end] = self.carrier.ends;
-        let value = |point, other| exact_value(self.points, &Weighted { cut, point, other });
+        let value = |point, other| Weighted { cut, point, other }.evaluate::<Dyadic>(self.points);
         let (a, b) = (value(start, end), value(end, start));
-        BigInteger::ratio(&a, &(a.clone() - b))
+        Dyadic::scaled_ratio(&a, &(a.clone() - b), 0)
     }
 }
 

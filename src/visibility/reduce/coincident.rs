@@ -186,8 +186,9 @@ struct Stop {
 /// The pieces of one image line, to be resolved.
 struct ImageLine<'a, P: Policy> {
     predicates: &'a Predicates<'a, P>,
-    reference: Carrier,
+    /// An axis that the line runs across, and in which sense.
     axis: u8,
+    sense: Sign,
     /// Roughly along the reference in the image.
     direction: DVec2,
     pieces: Vec<RoundedPiece>,
@@ -216,10 +217,11 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             pieces.iter().max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or(&pieces[0]);
         let reference = carrier(longest);
         let [from, to] = longest.image;
+        let axis = predicates.axis_across(reference).unwrap_or(0);
         let mut line = ImageLine {
             predicates,
-            reference,
-            axis: predicates.axis_across(reference).unwrap_or(0),
+            axis,
+            sense: predicates.sense_across(reference, axis),
             direction: to - from,
             rank: ranks(question, &pieces),
             stops: Vec::with_capacity(2 * pieces.len()),
@@ -271,12 +273,8 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         if gap.abs() > 8.0 * (a.slack + b.slack) * reach + f64::MIN_POSITIVE {
             return if gap < 0.0 { Ordering::Less } else { Ordering::Greater };
         }
-        self.predicates.order_along_image(
-            self.reference,
-            self.axis,
-            (a.carrier, a.place),
-            (b.carrier, b.place),
-        )
+        let [a, b] = [a, b].map(|stop| (stop.carrier, stop.place));
+        self.predicates.order_across(self.axis, self.sense, a, b)
     }
 
     /// Draws each stretch once: parts of pieces with the indices of these,
