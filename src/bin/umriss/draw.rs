@@ -274,7 +274,7 @@ impl Draw {
         let flag = self
             .style
             .of_lines_only()
-            .or(self.strokes.any().then_some("--join, --simplify, --fit and --min-length"))
+            .or(self.strokes.any().then_some("--merge, --join, --simplify, --fit and --min-length"))
             .or(self.surfaces.hatches().then_some("--hatch"))
             .or(self.pen.any().then_some("--order and --pen-width"));
         match flag {
