@@ -191,7 +191,7 @@ impl Drawing {
             None => (lines, crossings, None),
         };
         if merged.is_some() {
-            drawn = crop(lines, options)?;
+            drawn = crop(lines, filled, options)?;
             plans = layering.plan(&drawn);
         }
         let radius = 0.5 * options.halo.millimetres() / placement.scale;

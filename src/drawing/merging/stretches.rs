@@ -213,7 +213,7 @@ impl<'a> Greedy<'a> {
         if !covers.is_empty() {
             self.leave_out(&track, &mut covers, &mut left_out);
         }
-        self.draw_rest(&track, path, &mut covers, &mut left_out);
+        self.draw_rest(&track, &mut covers, &mut left_out);
         self.covers = covers;
         self.note(&track, path, &left_out);
     }
@@ -394,13 +394,7 @@ impl<'a> Greedy<'a> {
 
     /// Draws what is left of a path piece by piece, and leaves out what runs
     /// along with an earlier part of the path itself.
-    fn draw_rest(
-        &mut self,
-        track: &Track,
-        path: &Path,
-        covers: &mut Vec<Cover>,
-        left_out: &mut Vec<[f64; 2]>,
-    ) {
+    fn draw_rest(&mut self, track: &Track, covers: &mut Vec<Cover>, left_out: &mut Vec<[f64; 2]>) {
         left_out.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
         let first = left_out.clone();
         covers.clear();
@@ -422,7 +416,7 @@ impl<'a> Greedy<'a> {
                 continue;
             }
             if !covers.is_empty() {
-                self.leave_out(track, path, covers, left_out);
+                self.leave_out(track, covers, left_out);
                 covers.clear();
                 left_out.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
             }
