@@ -67,17 +67,42 @@ impl<P: Policy> Walker<'_, P> {
         sum
     }
 
-    /// Whether a single triangle is found that hides both ends of the walk
-    /// strictly, and so all of it: what lies behind a triangle is convex.
-    /// Where layers are many, one of the first does, and the others need not
-    /// be counted.
+    /// Whether a single triangle is found that hides all of the walk: both
+    /// ends strictly, for what lies behind a triangle is convex, or on one
+    /// side of it. Where layers are many, one of the first does, and the
+    /// others need not be counted.
     pub(super) fn one_triangle_hides(&mut self, walk: &Walk) -> bool {
         let ([Some(start), Some(end)], false) = (walk.vertices, walk.cut) else { return false };
         if self.from_vertex.vertex == Some(start) {
-            return self.one_hides(&self.from_vertex.hiding, end);
+            let FromVertex { hiding, unsure, .. } = &self.from_vertex;
+            return self.one_hides(hiding, end) || self.one_of_many_hides(unsure, walk);
         }
-        self.count_from(start, &walk.probed.ends[0], Some(end));
+        self.count_from(start, &walk.probed.ends[0], Some((walk, end)));
         self.from_vertex.counted.is_none() || self.one_hides(&self.from_vertex.hiding, end)
+    }
+
+    /// Whether one of the first of some triangles hides a whole walk, if they
+    /// are more than the faces at a vertex are.
+    fn one_of_many_hides(&self, triangles: &[u32], walk: &Walk) -> bool {
+        let first = &triangles[..triangles.len().min(ASKED)];
+        first.len() == ASKED && first.iter().any(|&triangle| self.hides_whole(walk, triangle))
+    }
+
+    /// Whether a triangle hides a walk between two vertices from its start to
+    /// its end, on both sides or on one: sheets on one image line do.
+    fn hides_whole(&self, walk: &Walk, triangle: u32) -> bool {
+        let facing = self.question.facing[triangle as usize];
+        if facing.is_zero() || self.is_own(walk, triangle) {
+            return false;
+        }
+        let corners @ [a, b, c] = self.question.mesh.triangles()[triangle as usize];
+        let signs = |cut| [0, 1].map(|end| self.sign_at(walk, end, cut));
+        let inside = |signs: [Sign; 2]| signs.iter().all(|sign| !sign.is_opposite(facing));
+        let edges = [[a, b], [b, c], [c, a]];
+        let plane = signs(Cut::Face(corners));
+        plane != [Sign::Zero; 2]
+            && inside(plane)
+            && edges.into_iter().all(|edge| inside(signs(Cut::Silhouette(edge))))
     }
 
     /// Whether one of some triangles hides a vertex strictly.
@@ -87,8 +112,8 @@ impl<P: Policy> Walker<'_, P> {
 
     /// Counts the triangles in front of a vertex, apart from border cases; or
     /// leaves off as soon as so many are found as are to be asked, and one of
-    /// them hides the vertex `end` too.
-    fn count_from(&mut self, vertex: u32, start: &Bounds, end: Option<u32>) {
+    /// them hides the walk that is given, and its end, too.
+    fn count_from(&mut self, vertex: u32, start: &Bounds, walk: Option<(&Walk, u32)>) {
         let mut from = std::mem::take(&mut self.from_vertex);
         from.unsure.clear();
         from.hiding.clear();
@@ -103,11 +128,21 @@ impl<P: Policy> Walker<'_, P> {
                         from.hiding.push(triangle);
                         let enough = from.hiding.len() == ASKED;
                         hidden.set(
-                            enough && end.is_some_and(|end| self.one_hides(&from.hiding, end)),
+                            enough
+                                && walk.is_some_and(|(_, end)| self.one_hides(&from.hiding, end)),
                         );
                     }
                 }
-                Sign::Zero => from.unsure.push(triangle),
+                Sign::Zero => {
+                    from.unsure.push(triangle);
+                    if from.unsure.len() == ASKED {
+                        hidden.set(
+                            walk.is_some_and(|(walk, _)| {
+                                self.one_of_many_hides(&from.unsure, walk)
+                            }),
+                        );
+                    }
+                }
                 Sign::Negative => {}
             },
         );
