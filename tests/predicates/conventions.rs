@@ -238,7 +238,9 @@ fn planes_cross_at_the_lesser_angle_however_their_faces_are_wound() {
         // The second face leans towards the first, and away from it.
         for side in [3.0, -3.0] {
             assert!(angle(44.9, [side, 3.0], turned) && !angle(45.1, [side, -3.0], turned));
-            assert!(angle(26.5, [2.0 * side, 3.0], turned) && !angle(26.6, [2.0 * side, 3.0], turned));
+            assert!(
+                angle(26.5, [2.0 * side, 3.0], turned) && !angle(26.6, [2.0 * side, 3.0], turned)
+            );
         }
         assert!(angle(89.9, [0.0, 1.0], turned), "a right angle");
         assert!(!angle(90.0, [0.0, 1.0], turned) && !angle(120.0, [0.0, 1.0], turned));
