@@ -138,7 +138,7 @@ impl Intersections {
                 let others = hierarchy.items().iter().copied();
                 let others = others.filter(|&triangle| !plates.has(triangle)).collect();
                 let others = plates.boxes().hierarchy(others);
-                let mut parts = pairs(mesh, &others, known, &start, run)?;
+                let mut parts = pairs(mesh, &others, known, start, run)?;
                 parts.extend(flat::add_plates(mesh, plates, &others, start, run));
                 parts
             }
