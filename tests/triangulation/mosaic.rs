@@ -57,18 +57,14 @@ pub fn rectangles(mut xs: Vec<f64>, mut ys: Vec<f64>) -> Mosaic {
 pub fn triangles(side: usize, chance: &mut Chance) -> Mosaic {
     let width = side + 1;
     let mut shaken = |k: usize| 8.0 * k as f64 + chance.below(5) as f64 - 2.0;
-    let points: Vec<DVec2> = (0..width * width)
-        .map(|i| DVec2::new(shaken(i % width), shaken(i / width)))
-        .collect();
+    let points: Vec<DVec2> =
+        (0..width * width).map(|i| DVec2::new(shaken(i % width), shaken(i / width))).collect();
     let mut cells = Vec::new();
     for i in 0..side * side {
         let a = i / side * width + i % side;
         let [b, c, d] = [a + 1, a + width + 1, a + width];
-        let halves = if chance.below(2) == 0 {
-            [[a, b, c], [c, d, a]]
-        } else {
-            [[b, c, d], [d, a, b]]
-        };
+        let halves =
+            if chance.below(2) == 0 { [[a, b, c], [c, d, a]] } else { [[b, c, d], [d, a, b]] };
         cells.extend(halves.map(|half| half.to_vec()));
     }
     Mosaic { points, cells }

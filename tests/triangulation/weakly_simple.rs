@@ -52,7 +52,8 @@ fn check(mosaic: &Mosaic, mut chance: Chance, plane: [usize; 2]) -> Result<(), T
     if chance.below(2) == 0 {
         other.reverse();
     }
-    let again = cut(mosaic, &[other], plane).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    let again =
+        cut(mosaic, &[other], plane).map_err(|error| TestCaseError::fail(error.to_string()))?;
     prop_assert_eq!(as_set(&found), as_set(&again));
     Ok(())
 }

@@ -9,9 +9,9 @@
 //! `spade` decides exactly while exponents are within a range. Points reach it
 //! as they are, or times a power of two if they do not fit as they are.
 
+use super::Outline;
 use super::curve::along_hilbert_curve;
 use super::outline::Insideness;
-use super::Outline;
 use glam::DVec2;
 use rustc_hash::FxHashMap;
 use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
