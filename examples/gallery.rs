@@ -245,7 +245,7 @@ fn draw_surface(
     flags: &Flags,
 ) -> Result<usize, Box<dyn Error>> {
     let heights = if source.ends_with(".png") {
-        import::read_heights(&root.join("examples/models").join(source), None)?
+        import::read_heights(&root.join("examples/models").join(source), None)?.heights
     } else {
         let steps = |axis, range, count| -> Result<Vec<f64>, Box<dyn Error>> {
             let text = flags.get(range).ok_or("a range is missing")?;

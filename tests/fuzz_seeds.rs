@@ -161,6 +161,18 @@ fn clipping_seeds_and_their_mutations() {
 
 #[cfg(all(feature = "json", feature = "svg"))]
 #[test]
+fn shape_seeds_and_their_mutations() {
+    feed_all("shapes", 200, targets::shapes);
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
+fn height_seeds_and_their_mutations() {
+    feed_all("heights", 200, targets::heights);
+}
+
+#[cfg(all(feature = "json", feature = "svg"))]
+#[test]
 fn visibility_seeds_and_their_mutations() {
     feed_all("visibility", 40, targets::visibility);
 }

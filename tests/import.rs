@@ -107,6 +107,132 @@ mod obj {
     }
 }
 
+/// Small files from the field, and what they say.
+#[cfg(all(feature = "ply", feature = "gltf"))]
+mod field {
+    use super::*;
+
+    fn read(name: &str) -> Result<Imported, String> {
+        read_file(&std::path::Path::new("tests/field").join(name), None).map_err(|error| {
+            let text = error.to_string();
+            text.strip_prefix("tests/field/").map_or(text.clone(), str::to_owned)
+        })
+    }
+
+    fn object(name: &str) -> Soup {
+        only(read(name).expect(name))
+    }
+
+    const TETRAHEDRON: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]];
+    const SIDES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+
+    fn triangles(soup: &Soup) -> &[u32] {
+        soup.faces.as_triangles().expect("triangles")
+    }
+
+    #[test]
+    fn lines_end_in_cr() {
+        let bent = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 1., 0.5]];
+        let ply = object("ply_cr.ply");
+        assert_eq!((points(&ply), triangles(&ply)), (bent.to_vec(), &[0, 1, 2, 1, 3, 2][..]));
+        let stl = object("stl_cr.stl");
+        let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 0., 0.], [1., 1., 0.]];
+        assert_eq!(points(&stl)[..5], corners);
+        assert_eq!((stl.name.as_str(), triangles(&stl).len()), ("part", 6));
+        let off = object("off_cr.off");
+        assert_eq!((points(&off), triangles(&off)), (SQUARE.to_vec(), &[0, 1, 2, 0, 2, 3][..]));
+    }
+
+    #[test]
+    fn text_formats_have_more_than_one_form() {
+        let strips = object("ply_tristrips.ply");
+        assert_eq!(triangles(&strips), [0, 1, 2, 1, 3, 2, 0, 2, 1]);
+        let off = object("off_face_over_lines.off");
+        assert_eq!((points(&off), triangles(&off)), (SQUARE.to_vec(), &[0, 1, 2, 0, 2, 3][..]));
+        let ply = read("ply_header_line_without_comment.ply").expect("read");
+        assert_eq!(ply.warnings, ["the header line 'Created' is ignored (line 3)"]);
+        assert_eq!(triangles(&ply.objects[0]), [0, 1, 2, 1, 3, 2]);
+        let obj = read("obj_unknown_statement.obj").expect("read");
+        assert_eq!(obj.warnings, ["statements '$' are ignored (line 2)"]);
+        assert_eq!(points(&obj.objects[0]), TETRAHEDRON);
+        assert_eq!(triangles(&obj.objects[0]), SIDES.as_flattened());
+    }
+
+    #[test]
+    fn errors_are_told_where_they_are() {
+        for (name, message) in [
+            (
+                "stl_nul.stl",
+                "5: byte 80 of the file is the control byte 0x00, expected a coordinate",
+            ),
+            ("stl_vertex_with_two_numbers.stl", "5: the line ends here, expected a coordinate"),
+            ("gltf1.gltf", "3: glTF 1.0, expected 2.0"),
+            (
+                "gltf_draco_not_declared_required.gltf",
+                "27: the mesh is compressed by KHR_draco_mesh_compression, expected one that is not",
+            ),
+        ] {
+            assert_eq!(read(name).expect_err(name), format!("{name}:{message}"));
+        }
+    }
+
+    #[test]
+    fn what_is_not_drawn_may_be_anything() {
+        let tetrahedron = |soup: &Soup| {
+            assert_eq!(points(soup), TETRAHEDRON);
+            assert_eq!(triangles(soup), SIDES.as_flattened());
+        };
+        tetrahedron(&object("gltf_extras_number.gltf"));
+        for (name, warning) in [
+            (
+                "gltf_animation_channel_without_node.gltf",
+                "animations are ignored: nodes stand where the file puts them",
+            ),
+            (
+                "gltf_techniques_required.gltf",
+                "the required extension 'KHR_techniques_webgl' is ignored",
+            ),
+        ] {
+            let imported = read(name).expect(name);
+            assert_eq!(imported.warnings, [warning]);
+            tetrahedron(&imported.objects[0]);
+        }
+        // Its second primitive is three corners at the origin.
+        let zeros = object("gltf_accessor_of_zeros.gltf");
+        assert_eq!(points(&zeros), [&TETRAHEDRON[..], &[[0.; 3]; 3]].concat());
+        assert_eq!(triangles(&zeros), [SIDES.as_flattened(), &[4, 5, 6]].concat());
+    }
+
+    #[test]
+    fn morph_targets_are_applied() {
+        let moved = object("gltf_morph_weight_1.gltf");
+        assert_eq!(points(&moved), [&TETRAHEDRON[..3], &[[0., 0., 6.]]].concat());
+    }
+
+    #[test]
+    fn all_instances_are_there() {
+        for (name, places) in
+            [("gltf_gpu_instancing.gltf", [0., 3., 6.]), ("inst.gltf", [0., 3., 6.])]
+        {
+            let imported = read(name).expect(name);
+            assert_eq!(imported.warnings, Vec::<String>::new());
+            let names: Vec<_> = imported.objects.iter().map(|one| one.name.as_str()).collect();
+            assert_eq!(names, ["mesh 0 #1", "mesh 0 #2", "mesh 0 #3"]);
+            let first = &imported.objects[0];
+            for (object, x) in imported.objects.iter().zip(places) {
+                let moved = first.vertices.iter().map(|&vertex| vertex + DVec3::X * x);
+                assert_eq!(object.vertices, moved.collect::<Vec<_>>(), "{name}");
+                assert_eq!(object.faces, first.faces);
+            }
+        }
+        let boxes = read("inst.gltf").expect("read");
+        assert_eq!(
+            boxes.objects[0].vertices.iter().max_by(|a, b| a.length().total_cmp(&b.length())),
+            Some(&DVec3::new(1., 2., 3.))
+        );
+    }
+}
+
 mod stl {
     use super::*;
 
@@ -390,9 +516,12 @@ mod gltf {
           "indices":{"bufferView":1,"byteOffset":2,"componentType":5121},"values":{"bufferView":2}}}]"#;
 
     fn glb(json: &str) -> Vec<u8> {
+        glb_of(json, &buffer())
+    }
+
+    fn glb_of(json: &str, binary: &[u8]) -> Vec<u8> {
         let mut json = json.as_bytes().to_vec();
         json.resize(json.len().next_multiple_of(4), b' ');
-        let binary = buffer();
         let mut bytes = b"glTF\x02\0\0\0".to_vec();
         bytes.extend((28 + json.len() as u32 + binary.len() as u32).to_le_bytes());
         bytes.extend((json.len() as u32).to_le_bytes());
@@ -462,6 +591,101 @@ mod gltf {
             assert!((*found - DVec3::from_array(expected)).length() < 1e-14, "{found}");
         }
         assert_eq!(points(b)[2], [11., 1., 0.]);
+    }
+
+    /// A GLB with one mesh of the square's first three corners, and with more
+    /// numbers behind them: views and accessors 2 and on are those of `floats`.
+    fn with_floats(nodes: &str, mesh: &str, floats: &[(&str, &[f32])]) -> Vec<u8> {
+        let (mut binary, mut views, mut accessors) = (buffer(), String::new(), String::new());
+        for (number, (kind, values)) in floats.iter().enumerate() {
+            let size = if *kind == "VEC4" { 4 } else { 3 };
+            views += &format!(
+                r#",{{"buffer":0,"byteOffset":{},"byteLength":{}}}"#,
+                binary.len(),
+                4 * values.len()
+            );
+            accessors += &format!(
+                r#",{{"bufferView":{},"componentType":5126,"type":"{kind}","count":{}}}"#,
+                number + 2,
+                values.len() / size
+            );
+            binary.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+        }
+        let json = format!(
+            r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{nodes}],
+            "meshes":[{mesh}],"buffers":[{{"byteLength":{}}}],
+            "bufferViews":[{{"buffer":0,"byteLength":36}},
+              {{"buffer":0,"byteOffset":48,"byteLength":3}}{views}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}},
+              {{"bufferView":1,"componentType":5121,"type":"SCALAR","count":3}}{accessors}]}}"#,
+            binary.len()
+        );
+        glb_of(&json, &binary)
+    }
+
+    /// Scaled, turned and moved each by itself, within the transform of their
+    /// node.
+    #[test]
+    fn instances_have_transforms_and_names_of_their_own() {
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let floats: [(&str, &[f32]); 3] = [
+            ("VEC3", &[0., 0., 0., 10., 0., 0.]),
+            ("VEC4", &[0., 0., 0., 1., 0., 0., half, half]),
+            ("VEC3", &[1., 1., 1., 2., 3., 4.]),
+        ];
+        let node = r#"{"name":"tree","mesh":0,"translation":[0,0,5],"extensions":
+            {"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":2,"ROTATION":3,"SCALE":4}}}}"#;
+        let mesh = r#"{"name":"mesh","primitives":[{"attributes":{"POSITION":0},"indices":1}]}"#;
+        let imported = import("a", &with_floats(node, mesh, &floats));
+        let [first, second] = &imported.objects[..] else { panic!("two objects") };
+        assert_eq!((first.name.as_str(), second.name.as_str()), ("tree #1", "tree #2"));
+        assert_eq!(points(first), [[0., 0., 5.], [1., 0., 5.], [1., 1., 5.]]);
+        // (x, y) becomes (10 - 3y, 2x).
+        for (found, expected) in second.vertices.iter().zip([[10., 0.], [10., 2.], [7., 2.]]) {
+            let expected = DVec3::new(expected[0], expected[1], 5.0);
+            assert!((*found - expected).length() < 1e-14, "{found}");
+        }
+        assert_eq!(faces(second), [[[0, 1, 2]]]);
+    }
+
+    #[test]
+    fn nodes_that_share_a_mesh_are_told_apart() {
+        let mesh = r#"{"primitives":[{"attributes":{"POSITION":0}}]},
+            {"name":"wheel","primitives":[{"attributes":{"POSITION":0}}]}"#;
+        let nodes = r#"{"children":[1,2,3,4,5,6]},{"mesh":1},{"mesh":0},{"mesh":1},
+            {"mesh":1,"name":"spare"},{"mesh":0,"name":""},{"mesh":1}"#;
+        let imported = import("a", &with_floats(nodes, mesh, &[]));
+        let names: Vec<_> = imported.objects.iter().map(|object| object.name.as_str()).collect();
+        assert_eq!(names, ["wheel #1", "mesh 0 #1", "wheel #2", "spare", "mesh 0 #2", "wheel #3"]);
+        // A single one is called as before.
+        let imported = import("a", &with_floats(r#"{"mesh":0}"#, mesh, &[]));
+        assert_eq!(imported.objects[0].name, "");
+    }
+
+    #[test]
+    fn morph_targets_move_by_their_weights() {
+        let floats: [(&str, &[f32]); 2] = [
+            ("VEC3", &[0., 0., 1., 0., 0., 2., 0., 0., 3.]),
+            ("VEC3", &[8., 0., 0., 0., 8., 0., 0., 0., 8.]),
+        ];
+        let mesh = |weights: &str| {
+            format!(
+                r#"{{"primitives":[{{"attributes":{{"POSITION":0}},
+                "targets":[{{"POSITION":2}},{{"NORMAL":9}},{{"POSITION":3}}]}}]{weights}}}"#
+            )
+        };
+        let read = |node: &str, weights: &str| {
+            points(&only(import("a", &with_floats(node, &mesh(weights), &floats))))
+        };
+        let plain = r#"{"mesh":0}"#;
+        assert_eq!(read(plain, ""), SQUARE[..3]);
+        assert_eq!(read(plain, r#","weights":[0,1,0]"#), SQUARE[..3]);
+        let both = [[2., 0., 0.5], [1., 2., 1.0], [1., 1., 3.5]];
+        assert_eq!(read(plain, r#","weights":[0.5,0,0.25]"#), both);
+        // The node's own weights stand in place of those.
+        let node = r#"{"mesh":0,"weights":[0.5,1,0.25]}"#;
+        assert_eq!(read(node, r#","weights":[1,1,1]"#), both);
+        assert_eq!(read(r#"{"mesh":0,"weights":[]}"#, r#","weights":[1,1,1]"#), SQUARE[..3]);
     }
 
     #[test]

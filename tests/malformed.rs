@@ -1,11 +1,14 @@
-//! Malformed files and the whole text of the one error each of them gives.
+//! Malformed files and the whole text of the one error each of them gives, and
+//! odd files with what is told of them.
 //!
 //! `tests/malformed/FORMAT.txt` has a line `NAME<TAB>ERROR` for every file of
-//! the folder `tests/malformed/FORMAT`.
+//! the folder `tests/malformed/FORMAT`. `tests/tolerated.txt` has a line
+//! `NAME<TAB>OBJECTS<TAB>FACES<TAB>WARNINGS` for every file of `tests/tolerated`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use umriss::model::Soup;
 use umriss::model::import::{Format, HeightFormat, ImportError, read_bytes, read_heights_bytes};
 
 fn check(name: &str) {
@@ -94,9 +97,44 @@ fn malformed_height_map_gives_one_error() {
     check_heights("png");
 }
 
+#[cfg(all(feature = "ply", feature = "gltf"))]
+#[test]
+fn odd_files_are_read_and_what_is_passed_over_is_told() {
+    let table = std::fs::read_to_string("tests/tolerated.txt").expect("table");
+    let expected: BTreeMap<_, _> =
+        table.lines().map(|line| line.split_once('\t').expect("a tab")).collect();
+    let mut wrong = String::new();
+    let mut count = 0;
+    for entry in std::fs::read_dir("tests/tolerated").expect("folder") {
+        let path = entry.expect("entry").path();
+        let file = path.file_name().and_then(|file| file.to_str()).expect("name");
+        let bytes = std::fs::read(&path).expect("file");
+        let found = match read_bytes(file, &bytes, None) {
+            Err(error) => error.to_string(),
+            Ok(imported) => {
+                let faces: Vec<_> =
+                    imported.objects.iter().map(|object| object.faces.len()).collect();
+                let objects = &imported.objects;
+                let warnings = imported.warnings.join(" | ");
+                let corner = glam::DVec3::new(1.0, 1.0, 0.0);
+                let has_corner = |object: &Soup| object.vertices.contains(&corner);
+                assert!(objects.iter().any(has_corner), "{file}: {objects:?}");
+                format!("{}\t{}\t{warnings}", objects.len(), faces.iter().sum::<usize>())
+            }
+        };
+        if expected.get(file) != Some(&&*found) {
+            wrong += &format!("{file}\t{found}\n");
+        }
+        count += 1;
+    }
+    assert!(wrong.is_empty(), "this is not in the table:\n{wrong}");
+    assert_eq!(expected.len(), count, "the table names files that are not there");
+}
+
 /// Whether the bytes are read as heights, which then are sound.
 fn heights_are_read(bytes: &[u8], format: Option<HeightFormat>) -> bool {
-    let Ok(heights) = read_heights_bytes("seed", bytes, format) else { return false };
+    let Ok(found) = read_heights_bytes("seed", bytes, format) else { return false };
+    let heights = found.heights;
     assert_eq!(heights.values().len(), heights.xs().len() * heights.zs().len());
     assert!(heights.xs().iter().chain(heights.zs()).all(|place| place.is_finite()));
     assert!(heights.xs().is_sorted() && heights.zs().is_sorted());

@@ -332,12 +332,11 @@ fn is_outside(question: &LineQuestion<'_>, line: LineOrigin, low: DVec2, high: D
         })
     };
     match line {
-        LineOrigin::Edge(edge) => beside(&question.mesh.edges().ends(edge)),
-        LineOrigin::Loose(index) => beside(&question.mesh.loose_lines()[index as usize]),
         LineOrigin::Intersection(index) => question.intersections[index as usize]
             .triangles
             .iter()
             .any(|&triangle| beside(&question.mesh.triangles()[triangle as usize])),
+        _ => line.vertices(question.mesh).is_some_and(|ends| beside(&ends)),
     }
 }
 

@@ -133,7 +133,8 @@ fn faults_of_painting(
 ) -> Outcome<Option<String>> {
     let run = Run::default();
     let prepared = PreparedView::new::<Exact>(mesh, view, &FeatureOptions::default(), &run)?;
-    let options = PaintVerifyOptions { image_size: 64, ..PaintVerifyOptions::default() };
+    let options =
+        PaintVerifyOptions { image_size: 64, most_cuts: None, ..PaintVerifyOptions::default() };
     let report = verify_painting::<Exact>(view, &prepared.question(false), &options, &run)?;
     if report.is_clean() && (report.rows.len() == 3 || report.skipped.is_some()) {
         return Ok(None);

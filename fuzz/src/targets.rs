@@ -3,8 +3,13 @@
 
 use glam::{DVec2, DVec3};
 use umriss::drawing::{Content, Drawing, DrawingOptions, Styles, SurfaceOptions};
-use umriss::export::{SvgOptions, read_drawing_with_notes, to_hpgl, to_json_with_notes, to_svg};
+use umriss::export::{
+    ShapeFormat, ShapeOptions, SvgOptions, read_drawing_with_notes, to_hpgl, to_json_with_notes,
+    to_svg,
+};
 use umriss::kernel::predicates::{Exact, Thorough};
+use umriss::model::import::{HeightFormat, read_heights_bytes};
+use umriss::model::surface::{CurveOptions, SurfaceWithHoles};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::polygon::clipping::{FillRule, Operation, PlaneShape};
 use umriss::run::Run;
@@ -69,6 +74,54 @@ pub(crate) fn clipping(bytes: &[u8]) {
     assert_eq!(common.clone() + either.clone(), whole(&a) + whole(&b));
     assert_eq!(common.clone() + first, whole(&a));
     assert_eq!(common + one, either);
+}
+
+/// Corners beyond this number would be slow, not telling.
+const MOST_CORNERS: usize = 4000;
+
+/// Any bytes as a file of polygons: refused with words, or read; what is
+/// written of it is read again as the same.
+pub(crate) fn shapes(bytes: &[u8]) {
+    let is_json = bytes.trim_ascii_start().starts_with(b"{");
+    let format = if is_json { ShapeFormat::GeoJson } else { ShapeFormat::Svg };
+    let options = ShapeOptions { flatness: 0.5, ..ShapeOptions::default() };
+    let file = match format.read_with(bytes, &options) {
+        Ok(file) => file,
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            return;
+        }
+    };
+    let corners = file.parts.iter().flat_map(|part| part.polygons.iter().flatten().flatten());
+    if MOST_CORNERS < corners.clone().count() || MOST_CORNERS < file.parts.len() * 16 {
+        return;
+    }
+    assert!(corners.into_iter().all(|corner| corner.is_finite()));
+    let Ok(rounded) = file.shape(None).and_then(|shape| shape.rounded()) else { return };
+    for format in [ShapeFormat::GeoJson, ShapeFormat::Svg] {
+        let text = format.write_on(&rounded, file.page).expect("both formats are built in");
+        let again = format.read(text.as_bytes()).expect("what was written can be read");
+        let same = again.shape(None).and_then(|shape| shape.rounded()).expect("few corners");
+        assert_eq!(same.polygons, rounded.polygons, "{text}");
+    }
+}
+
+/// Any bytes as a grid of heights: refused with a place, or a sound grid, and a
+/// sound model of it, whatever is missing.
+pub(crate) fn heights(bytes: &[u8]) {
+    for format in [None, Some(HeightFormat::Csv), Some(HeightFormat::Esri)] {
+        let Ok(found) = read_heights_bytes("seed", bytes, format) else { continue };
+        let heights = found.heights;
+        assert_eq!(heights.values().len(), heights.xs().len() * heights.zs().len());
+        assert!(heights.xs().is_sorted() && heights.zs().is_sorted());
+        if let Some((factor, latitude)) = heights.z_factor_of_degrees() {
+            assert!(factor > 0.0 && latitude.abs() <= 90.0, "{factor} {latitude}");
+        }
+        let Ok(surface) = SurfaceWithHoles::new(heights, None) else { continue };
+        let (soup, _) = surface.soups("seed", &CurveOptions::default());
+        assert!(soup.vertices.iter().all(|vertex| vertex.is_finite()));
+        assert!(Mesh::new(vec![soup], None).is_ok());
+    }
 }
 
 /// Some triangles and an eye, from `number`.

@@ -108,6 +108,29 @@ fn first_end(partners: &[u32], segment: usize) -> u32 {
     }
 }
 
+/// For each segment the number of its polyline, and how many there are.
+pub(super) fn stroke_numbers(partners: &[u32]) -> (Vec<u32>, usize) {
+    let mut numbers = vec![SINGLE; partners.len() / 2];
+    let mut count = 0;
+    for segment in 0..numbers.len() {
+        if numbers[segment] != SINGLE {
+            continue;
+        }
+        let first = first_end(partners, segment);
+        let mut end = first;
+        loop {
+            numbers[(end / 2) as usize] = count;
+            match partners[(end ^ 1) as usize] {
+                SINGLE => break,
+                next if next == first => break,
+                next => end = next,
+            }
+        }
+        count += 1;
+    }
+    (numbers, count as usize)
+}
+
 /// For each end (2 i and 2 i + 1 are those of segment i) the end with which
 /// its polyline goes on, and whether three ends or more meet where it is.
 /// Ends meet that have the same `place`; those without one meet none.
@@ -116,13 +139,7 @@ pub(super) fn pair_ends<const K: usize>(
     place: impl Fn(u32) -> Option<[u64; K]> + Sync + Send,
 ) -> (Vec<u32>, Vec<bool>) {
     let count = 2 * segments.len();
-    let buckets = (count / BUCKET).next_power_of_two();
-    let parts = map_chunks(count, PART, |part| Dealt::new(&place, part, buckets));
-    let pairs = map_indexed(buckets, |bucket| {
-        let ends: Vec<End<K>> =
-            parts.iter().flat_map(|part| part.bucket(bucket)).copied().collect();
-        pair_bucket(segments, &ends)
-    });
+    let pairs = map_joints(count, place, |joined| pair_joined(segments, joined));
     let mut partners = vec![SINGLE; count];
     let mut busy = vec![false; count];
     for (pairs, crowded) in pairs {
@@ -133,6 +150,23 @@ pub(super) fn pair_ends<const K: usize>(
         crowded.into_iter().for_each(|end| busy[end as usize] = true);
     }
     (partners, busy)
+}
+
+/// Finds the joints of `count` ends, which are those that have the same
+/// `place`, and works on them, many at once. Results come in an order that
+/// depends on the places alone.
+pub(super) fn map_joints<const K: usize, T: Send>(
+    count: usize,
+    place: impl Fn(u32) -> Option<[u64; K]> + Sync + Send,
+    work: impl Fn(&Joined) -> T + Sync + Send,
+) -> Vec<T> {
+    let buckets = (count / BUCKET).next_power_of_two();
+    let parts = map_chunks(count, PART, |part| Dealt::new(&place, part, buckets));
+    map_indexed(buckets, |bucket| {
+        let ends: Vec<End<K>> =
+            parts.iter().flat_map(|part| part.bucket(bucket)).copied().collect();
+        work(&Joined::new(&ends))
+    })
 }
 
 /// Ends per bucket, about: few enough to stay in the cache while their
@@ -187,26 +221,43 @@ impl<const K: usize> Dealt<K> {
     }
 }
 
-/// Pairs the ends of one bucket, which holds all ends of each of its joints.
-/// Beside the pairs, the ends at joints of three or more.
-fn pair_bucket<const K: usize>(
-    segments: &[[DVec2; 2]],
-    ends: &[End<K>],
-) -> (Vec<[u32; 2]>, Vec<u32>) {
-    let (joint_of, starts) = find_joints(ends);
-    // Counting sort of the ends by joint: `fill` runs ahead of `starts`.
-    let mut fill = starts.clone();
-    let mut sorted = vec![0; ends.len()];
-    for (end, joint) in ends.iter().zip(joint_of) {
-        let slot = &mut fill[joint as usize];
-        sorted[*slot as usize] = end.number;
-        *slot += 1;
+/// Ends, joint by joint.
+pub(super) struct Joined {
+    ends: Vec<u32>,
+    /// Where each joint starts in `ends`, and where the last one stops.
+    starts: Vec<u32>,
+}
+
+impl Joined {
+    /// Sorts the ends of one bucket, which holds all ends of each of its
+    /// joints.
+    fn new<const K: usize>(ends: &[End<K>]) -> Self {
+        let (joint_of, starts) = find_joints(ends);
+        // Counting sort of the ends by joint: `fill` runs ahead of `starts`.
+        let mut fill = starts.clone();
+        let mut sorted = vec![0; ends.len()];
+        for (end, joint) in ends.iter().zip(joint_of) {
+            let slot = &mut fill[joint as usize];
+            sorted[*slot as usize] = end.number;
+            *slot += 1;
+        }
+        Joined { ends: sorted, starts }
     }
-    let mut pairs = Vec::with_capacity(ends.len() / 2);
+
+    /// The ends of each joint, ascending.
+    pub(super) fn joints(&self) -> impl Iterator<Item = &[u32]> {
+        self.starts.windows(2).map(|bounds| &self.ends[bounds[0] as usize..bounds[1] as usize])
+    }
+}
+
+/// Pairs the ends of some joints. Beside the pairs, the ends at joints of
+/// three or more.
+fn pair_joined(segments: &[[DVec2; 2]], joined: &Joined) -> (Vec<[u32; 2]>, Vec<u32>) {
+    let mut pairs = Vec::with_capacity(joined.ends.len() / 2);
     let mut crowded = Vec::new();
     let mut joints = Joints::default();
-    for bounds in starts.windows(2) {
-        match &sorted[bounds[0] as usize..bounds[1] as usize] {
+    for ends in joined.joints() {
+        match ends {
             [_] => {}
             [one, other] => pairs.push([*one, *other]),
             crowd => {

@@ -15,7 +15,7 @@
 //! and the tiles of a picture, laid side by side, are the picture.
 
 use super::{DrawingError, DrawingOptions, Paper, Window};
-use crate::view::{Frame, LinePiece, Projection, VisibleLines};
+use crate::view::{Frame, ImageRegions, LinePiece, Projection, VisibleLines};
 use glam::DVec2;
 use robust::{Coord, orient2d};
 use std::borrow::Cow;
@@ -39,13 +39,15 @@ impl Window {
 }
 
 /// The lines as far as they lie in the window; all of them if nothing is
-/// cut. O(n).
+/// cut. There may be none if `regions`, which are drawn too, reach into the
+/// window. O(n).
 ///
 /// # Errors
 ///
 /// If a window was asked for in which there is nothing.
 pub(super) fn crop<'a>(
     lines: &'a VisibleLines,
+    regions: Option<&ImageRegions>,
     options: &DrawingOptions,
 ) -> Result<Cow<'a, VisibleLines>, DrawingError> {
     let Some(window) = options.window_in(&lines.frame) else {
@@ -58,18 +60,19 @@ pub(super) fn crop<'a>(
     let projection = lines.frame.projection;
     let pieces: Vec<_> =
         lines.pieces.iter().filter_map(|piece| clip(piece, &window, projection)).collect();
-    if pieces.is_empty() && options.window.is_some() {
-        return Err(nothing_in(lines));
+    let is_filled = regions.is_some_and(|regions| !regions.regions.is_empty());
+    if pieces.is_empty() && !is_filled && options.window.is_some() {
+        return Err(nothing_of(lines.pieces.iter().flat_map(|piece| piece.points)));
     }
     let (objects, counters) = (lines.objects.clone(), lines.counters.clone());
     Ok(Cow::Owned(VisibleLines { frame: lines.frame, objects, pieces, counters }))
 }
 
-fn nothing_in(lines: &VisibleLines) -> DrawingError {
-    let points = || lines.pieces.iter().flat_map(|piece| piece.points);
+/// The refusal of a window in which there is nothing of these points.
+pub(super) fn nothing_of(points: impl Iterator<Item = DVec2> + Clone) -> DrawingError {
     DrawingError::EmptyWindow {
-        low: points().fold(DVec2::INFINITY, DVec2::min).to_array(),
-        high: points().fold(DVec2::NEG_INFINITY, DVec2::max).to_array(),
+        low: points.clone().fold(DVec2::INFINITY, DVec2::min).to_array(),
+        high: points.fold(DVec2::NEG_INFINITY, DVec2::max).to_array(),
     }
 }
 

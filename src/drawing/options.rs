@@ -144,6 +144,10 @@ pub struct DrawingOptions {
     pub hidden: Hidden,
     /// What hidden lines are told apart by, in layers and types of line.
     pub hidden_by: HiddenBy,
+    /// Of lines that run within this distance of one another one is drawn; 0
+    /// leaves all. Without one it is 0.02 mm or a tenth of the width of the
+    /// line that is drawn, whichever is more.
+    pub merge: Option<Length>,
     /// How wide the gap is in a line where another passes in front of it,
     /// across that one; 0 is no gap.
     pub halo: Length,
@@ -186,6 +190,7 @@ impl Default for DrawingOptions {
             layer_by: LayerBy::Visibility,
             hidden: Hidden::None,
             hidden_by: HiddenBy::Together,
+            merge: None,
             halo: Length::from_millimetres(0.0),
             weight: None,
             outline: Length::from_millimetres(0.0),

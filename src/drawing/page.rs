@@ -6,8 +6,10 @@ use super::dashing::dashed;
 use super::haloing::interrupt;
 use super::hatching::hatches;
 use super::layering::{LayerPlan, Layering};
-use super::merging::segments;
+use super::merging::{Loose, Merged, join_ends, merge};
 use super::placement::Placement;
+use super::segments::segments;
+use super::short_strokes::long_enough;
 use super::smoothing::{Smoothing, smooth};
 use super::surfaces::{Light, crop_regions, fills};
 use super::weight::Weights;
@@ -166,7 +168,8 @@ impl Drawing {
         let regions = &*crop_regions(lines, regions, options)?;
         let weights = options.weight.map(|weight| Weights::new(lines, &weight));
         let layering = Layering { options, styles, weights: weights.as_ref() };
-        let mut drawn = crop(lines, options)?;
+        let filled = Some(regions).filter(|_| surfaces.any());
+        let mut drawn = crop(lines, filled, options)?;
         let mut plans = layering.plan(&drawn);
         let stepped = weights.iter().flat_map(|weights| weights.widths.iter().copied());
         let widths = plans.iter().map(|plan| plan.look.width).chain(stepped);
@@ -176,11 +179,26 @@ impl Drawing {
             return Err(DrawingError::PenWidth(width));
         }
         let placement = Placement::new(&drawn, &plans, regions, options)?;
+        let merged = {
+            let all = match &drawn {
+                Cow::Borrowed(_) => Cow::Borrowed(&plans),
+                Cow::Owned(_) => Cow::Owned(layering.plan(lines)),
+            };
+            merge(lines, crossings, &all, &placement, options, run)?
+        };
+        let (lines, crossings, loose) = match &merged {
+            Some(Merged { lines, crossings, loose }) => (lines, &crossings[..], Some(loose)),
+            None => (lines, crossings, None),
+        };
+        if merged.is_some() {
+            drawn = crop(lines, filled, options)?;
+            plans = layering.plan(&drawn);
+        }
         let radius = 0.5 * options.halo.millimetres() / placement.scale;
         if 0.0 < radius && !crossings.is_empty() {
             let seen: Vec<bool> = lines.pieces.iter().map(|piece| layering.draws(piece)).collect();
             let interrupted = interrupt(lines, crossings, &seen, radius, run)?;
-            drawn = Cow::Owned(crop(&interrupted, options)?.into_owned());
+            drawn = Cow::Owned(crop(&interrupted, filled, options)?.into_owned());
             plans = layering.plan(&drawn);
         }
         if let Some(weights) = &weights {
@@ -189,11 +207,18 @@ impl Drawing {
         }
         let lines = &*drawn;
         run.check()?;
-        let solid = map_indexed(plans.len(), |i| join(lines, &plans[i], &placement, options));
+        let mut bundles = bundles(lines, &plans, &placement, loose, options);
+        let least = options.min_length.millimetres();
+        if 0.0 < least {
+            leave_out_short(&mut bundles, &plans, least);
+        }
+        let solid = strokes_of(&bundles, &plans, options);
+        // What ended on a line that was left out ends beside one that was not.
+        let reach = loose.map_or(0.0, Loose::reach);
         let solid = match (options.fit.millimetres(), options.simplify.millimetres()) {
             (0.0, 0.0) => solid,
-            (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance),
-            (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance),
+            (0.0, tolerance) => smooth(&solid, Smoothing::Simplify, tolerance, reach),
+            (tolerance, _) => smooth(&solid, Smoothing::Fit, tolerance, reach),
         };
         run.check()?;
         let finished = map_indexed(plans.len(), |i| finish(&plans[i], &solid[i]));
@@ -232,33 +257,78 @@ impl Drawing {
     }
 }
 
-/// The pieces of a layer as long strokes.
-fn join(
+/// What may become strokes together: the segments of a layer, or of one class
+/// in it.
+struct Bundle {
+    /// The place of its layer in the plans.
+    plan: usize,
+    segments: Vec<[DVec2; 2]>,
+    runs: Vec<u32>,
+}
+
+/// The pieces of all layers, as they may be joined.
+fn bundles(
     lines: &VisibleLines,
-    plan: &LayerPlan,
+    plans: &[LayerPlan],
     placement: &Placement,
+    loose: Option<&Loose>,
     options: &DrawingOptions,
-) -> Strokes {
-    // What is smoothed stays where it meets others.
-    let smoothed = 0.0 < options.fit.millimetres().max(options.simplify.millimetres());
-    let joined = |pieces: &[u32]| {
-        let (segments, runs) = segments(lines, pieces, placement);
-        chain(&segments, &runs, smoothed || options.junctions)
+) -> Vec<Bundle> {
+    let bundle = |plan: usize, pieces: &[u32]| {
+        let (mut segments, mut runs) = segments(lines, pieces, placement);
+        if let Some(loose) = loose {
+            join_ends(&mut segments, &mut runs, loose);
+        }
+        Bundle { plan, segments, runs }
     };
-    let mut strokes = match options.join {
-        Join::All => joined(&plan.pieces),
-        Join::Class => {
-            let mut all = Strokes::default();
-            for class in LineClass::ALL {
-                let of_class = |piece: &u32| lines.pieces[*piece as usize].class == class;
-                let pieces: Vec<u32> = plan.pieces.iter().copied().filter(of_class).collect();
-                joined(&pieces).iter().for_each(|stroke| all.push(stroke.iter().copied()));
-            }
-            all
+    let of_plan = |plan: usize| {
+        let pieces = &plans[plan].pieces;
+        let of_class = |class: LineClass| {
+            let own = |piece: &u32| lines.pieces[*piece as usize].class == class;
+            let pieces: Vec<u32> = pieces.iter().copied().filter(own).collect();
+            bundle(plan, &pieces)
+        };
+        match options.join {
+            Join::All => vec![bundle(plan, pieces)],
+            Join::Class => LineClass::ALL.into_iter().map(of_class).collect(),
         }
     };
-    strokes.retain_longer(options.min_length.millimetres());
-    strokes
+    map_indexed(plans.len(), of_plan).into_iter().flatten().collect()
+}
+
+/// Leaves out strokes that are too short, of visible lines and of hidden ones,
+/// whatever layers they are in.
+fn leave_out_short(bundles: &mut [Bundle], plans: &[LayerPlan], least: f64) {
+    let is_hidden = |bundle: &Bundle| 0 < plans[bundle.plan].tags.level;
+    for hidden in [false, true] {
+        let own = bundles.iter().filter(|bundle| is_hidden(bundle) == hidden);
+        let all: Vec<[DVec2; 2]> = own.flat_map(|bundle| bundle.segments.iter().copied()).collect();
+        let kept = long_enough(&all, least);
+        let mut rest = &kept[..];
+        for bundle in bundles.iter_mut().filter(|bundle| is_hidden(bundle) == hidden) {
+            let (own, others) = rest.split_at(bundle.segments.len());
+            rest = others;
+            let (mut segments, mut runs) = (own.iter(), own.iter());
+            bundle.segments.retain(|_| segments.next().is_none_or(|&kept| kept));
+            bundle.runs.retain(|_| runs.next().is_none_or(|&kept| kept));
+        }
+    }
+}
+
+/// The long strokes of all layers.
+fn strokes_of(bundles: &[Bundle], plans: &[LayerPlan], options: &DrawingOptions) -> Vec<Strokes> {
+    let chained = map_indexed(bundles.len(), |i| {
+        chain(&bundles[i].segments, &bundles[i].runs, options.junctions)
+    });
+    let mut layers = vec![Strokes::default(); plans.len()];
+    for (bundle, strokes) in bundles.iter().zip(chained) {
+        let layer = &mut layers[bundle.plan];
+        match layer.is_empty() {
+            true => *layer = strokes,
+            false => strokes.iter().for_each(|stroke| layer.push(stroke.iter().copied())),
+        }
+    }
+    layers
 }
 
 /// The layer of a hatch: after all others in number, below them on paper.

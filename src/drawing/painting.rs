@@ -9,7 +9,7 @@
 //! not drawn as a whole, but face by face, there is nothing to join, smooth or
 //! interrupt, and no width by depth: wishes for these are passed over.
 
-use super::cropping::clip;
+use super::cropping::{clip, nothing_of};
 use super::dashing::dashed;
 use super::layering::Layering;
 use super::placement::Placement;
@@ -20,6 +20,7 @@ use super::{
     Window,
 };
 use crate::model::Color;
+use crate::polygon::clipping::FillRule;
 use crate::run::map_indexed;
 use crate::view::{ImageRegion, ImageRegions, PaintedFace, VisibleLines};
 use glam::DVec2;
@@ -77,7 +78,15 @@ impl Drawing {
                 lines: strokes(&cropped.lines, pieces, &looks, &placement),
             }
         });
-        let shapes = shapes.into_iter().filter(|shape| !shape.rings.is_empty()).collect();
+        let shapes: Vec<PaintedShape> =
+            shapes.into_iter().filter(|shape| !shape.rings.is_empty()).collect();
+        let shows = |shape: &PaintedShape| surfaces.fill != Fill::None || !shape.lines.is_empty();
+        let corners = faces.iter().flat_map(|face| face.region.polygons.iter().flatten());
+        let mut corners = corners.flatten().copied().peekable();
+        let is_painted = corners.peek().is_some();
+        if is_painted && options.window.is_some() && !shapes.iter().any(shows) {
+            return Err(nothing_of(corners));
+        }
         Ok(Drawing {
             size: placement.size,
             scale: placement.scale,
@@ -133,7 +142,8 @@ fn cropped(region: &ImageRegion, window: Option<&Window>) -> Result<ImageRegion,
         return Err(DrawingError::NotFinite);
     }
     let Some(window) = window else { return Ok(region.clone()) };
-    let parts = region.polygons.iter().map(|polygon| crop(polygon, window));
+    // Rings turn as the faces do that they are borders of.
+    let parts = region.polygons.iter().map(|polygon| crop(polygon, window, FillRule::NonZero));
     let polygons = parts.collect::<Result<Vec<_>, _>>()?.concat();
     Ok(ImageRegion { polygons, ..region.clone() })
 }

@@ -61,6 +61,13 @@ pub struct SurfaceOptions {
     pub light: Option<DVec3>,
 }
 
+impl SurfaceOptions {
+    /// Whether anything is drawn of surfaces.
+    pub(super) fn any(&self) -> bool {
+        self.fill != Fill::None || self.hatch.is_some()
+    }
+}
+
 /// An area of one colour on the page.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilledShape {
@@ -152,7 +159,8 @@ pub(super) fn crop_regions<'a>(
     }
     let cut = map_indexed(regions.regions.len(), |i| {
         let region = &regions.regions[i];
-        let parts = region.polygons.iter().map(|polygon| crop(polygon, &window));
+        let parts =
+            region.polygons.iter().map(|polygon| crop(polygon, &window, FillRule::Positive));
         let polygons: Vec<_> = parts.collect::<Result<Vec<_>, _>>()?.concat();
         Ok(ImageRegion { polygons, ..region.clone() })
     });
@@ -163,8 +171,13 @@ pub(super) fn crop_regions<'a>(
 
 type Rings = Vec<Vec<DVec2>>;
 
-/// What of a polygon lies in a window, cut exactly.
-pub(super) fn crop(polygon: &Rings, window: &Window) -> Result<Vec<Rings>, DrawingError> {
+/// What of a polygon, whose rings are read by a rule, lies in a window, cut
+/// exactly.
+pub(super) fn crop(
+    polygon: &Rings,
+    window: &Window,
+    rule: FillRule,
+) -> Result<Vec<Rings>, DrawingError> {
     let corners = || polygon.iter().flatten();
     if corners().all(|point| window.holds(*point)) {
         return Ok(vec![polygon.clone()]);
@@ -176,9 +189,9 @@ pub(super) fn crop(polygon: &Rings, window: &Window) -> Result<Vec<Rings>, Drawi
     }
     let (low, high) = (window.low(), window.high());
     let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
-    let shape = |rings: &Rings| PlaneShape::new(std::slice::from_ref(rings), FillRule::Positive);
-    let both = shape(polygon).and_then(|subject| {
-        let frame = shape(&vec![corners.to_vec()])?;
+    let shape = |rings: &Rings, rule| PlaneShape::new(std::slice::from_ref(rings), rule);
+    let both = shape(polygon, rule).and_then(|subject| {
+        let frame = shape(&vec![corners.to_vec()], FillRule::Positive)?;
         PlaneShape::operation(Operation::Intersection, &[&subject, &frame])?.rounded()
     });
     // What can go wrong are coordinates that are not finite.

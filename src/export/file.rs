@@ -4,10 +4,11 @@
 //! target's place in one step of the file system. Whoever looks sees the old
 //! file or the new one, never half of one; if anything fails, the new file is
 //! removed. What is no plain file (a device, a pipe) cannot be replaced and is
-//! written to directly.
+//! written to directly. A file that may not be written to is not replaced
+//! either, though its folder would allow that.
 
 use super::ExportError;
-use std::fs::{File, OpenOptions};
+use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -18,6 +19,10 @@ const NAMES: u32 = 1000;
 ///
 /// A symbolic link keeps pointing where it points; its target is replaced.
 /// An existing file keeps its permissions.
+///
+/// # Errors
+///
+/// If the file cannot be written, or is there and read-only.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ExportError> {
     replace(path, bytes).map_err(|source| ExportError::File { path: path.to_owned(), source })
 }
@@ -30,10 +35,24 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
         Err(error) if error.kind() == ErrorKind::NotFound => None,
         Err(error) => return Err(error),
     };
-    let target = if existing.is_some() { path.canonicalize()? } else { path.to_owned() };
+    let target = match &existing {
+        Some(metadata) => {
+            may_be_written(path, metadata)?;
+            path.canonicalize()?
+        }
+        None => path.to_owned(),
+    };
     let (file, draft) = Draft::create(&target)?;
     let written = fill(file, bytes, existing.map(|metadata| metadata.permissions()));
     written.and_then(|()| draft.publish(&target))
+}
+
+/// Whether a file is meant to be changed, and by whoever runs this.
+fn may_be_written(path: &Path, metadata: &Metadata) -> io::Result<()> {
+    if metadata.permissions().readonly() {
+        return Err(ErrorKind::PermissionDenied.into());
+    }
+    OpenOptions::new().write(true).open(path).map(drop)
 }
 
 fn fill(mut file: File, bytes: &[u8], permissions: Option<std::fs::Permissions>) -> io::Result<()> {
@@ -135,6 +154,20 @@ mod tests {
         write_file(&link, b"new").unwrap();
         assert_eq!(fs::read(&file).unwrap(), b"new");
         assert!(link.symlink_metadata().unwrap().is_symlink());
+    }
+
+    #[test]
+    fn a_read_only_file_stays_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("kept.svg");
+        fs::write(&path, "kept").unwrap();
+        let mut permissions = path.metadata().unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let error = write_file(&path, b"new").unwrap_err().to_string();
+        assert_eq!(error, format!("{}: permission denied", path.display()));
+        assert_eq!(fs::read(&path).unwrap(), b"kept");
+        assert_eq!(names(folder.path()), ["kept.svg"]);
     }
 
     #[cfg(unix)]

@@ -16,6 +16,7 @@
 
 use super::ExportError;
 use crate::model::Unit;
+use crate::model::import::json_message;
 use crate::run::{Counters, map_chunks};
 use crate::view::{Crossing, Frame, LinePiece, LineSource, OutlineOf, Projection, VisibleLines};
 use serde::{Deserialize, Serialize};
@@ -144,10 +145,7 @@ fn counters(counters: &Counters) -> BTreeMap<&str, u64> {
 impl From<serde_json::Error> for ExportError {
     fn from(error: serde_json::Error) -> Self {
         let (line, column) = (error.line(), error.column());
-        // The message ends with the place, which is told apart from it.
-        let text = error.to_string();
-        let message = text.split(" at line ").next().unwrap_or_default().to_owned();
-        ExportError::Json { line, column, message }
+        ExportError::Json { line, column, message: json_message(&error, "a JSON drawing") }
     }
 }
 

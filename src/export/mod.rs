@@ -15,7 +15,8 @@
 //! | JSON | [`VisibleLines`](crate::view::VisibleLines) | `to_json`, `read_drawing` | `json` |
 //!
 //! Polygons of the plane, [`Rounded`](crate::polygon::clipping::Rounded), are
-//! written and read as GeoJSON and as SVG paths: [`ShapeFormat`], [`ShapeFile`].
+//! written as GeoJSON and as SVG paths, and read from GeoJSON and from what an
+//! SVG displays: [`ShapeFormat`], [`ShapeFile`].
 //!
 //! [`OutputFormat`] is the table of formats by extension and by name, and
 //! [`write_file`] makes files appear whole or not at all.
@@ -54,6 +55,6 @@ pub use json_reader::{read_drawing, read_drawing_with_notes};
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
 #[cfg(any(feature = "json", feature = "svg"))]
-pub use shapes::{ShapeFile, ShapeFormat, ShapePart};
+pub use shapes::{ClipId, ShapeFile, ShapeFormat, ShapeOptions, ShapePage, ShapePart};
 #[cfg(feature = "svg")]
 pub use svg::{SvgOptions, SvgProfile, to_svg};

@@ -7,8 +7,12 @@
 //! third corner lies. Creases need the angle of the two faces, compared
 //! exactly with the threshold. (Appel 1967 calls effective edges contour
 //! lines; for closed surfaces they are the same.)
+//!
+//! Borders that lie on one another are lines piece by piece: see
+//! [`super::Borders`]. Each of them is effective by itself, which comes to
+//! the same, for a line behind passes behind all of them at one place.
 
-use super::{LineClass, Mesh};
+use super::{Hinge, LineClass, Mesh};
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Fold, FoldThreshold, Points, Policy, Predicates};
 use crate::run::{Counters, Run, map_chunks};
@@ -18,13 +22,17 @@ use crate::run::{Counters, Run, map_chunks};
 pub struct FeatureOptions {
     classes: [bool; LineClass::ALL.len()],
     fold: FoldThreshold,
+    /// Of two surfaces that pass through one another, if not that of creases.
+    intersection_fold: Option<FoldThreshold>,
+    seams: bool,
 }
 
 impl Default for FeatureOptions {
     /// All classes but `mesh`, creases from 30 degrees.
     fn default() -> Self {
         let classes = LineClass::ALL.map(|class| class != LineClass::Mesh);
-        FeatureOptions { classes, fold: FoldThreshold::from_degrees(30.0) }
+        let fold = FoldThreshold::from_degrees(30.0);
+        FeatureOptions { classes, fold, intersection_fold: None, seams: false }
     }
 }
 
@@ -43,6 +51,27 @@ impl FeatureOptions {
         self
     }
 
+    /// Surfaces that pass through one another at more than this many degrees
+    /// make a line there. Without it the angle of creases counts.
+    #[must_use]
+    pub fn with_intersection_degrees(mut self, degrees: f64) -> Self {
+        self.intersection_fold = Some(FoldThreshold::from_degrees(degrees));
+        self
+    }
+
+    /// Whether the seam of two objects is a border of both. If not, what
+    /// lies on its two sides says what it is, as at any edge.
+    #[must_use]
+    pub fn with_seams(mut self, seams: bool) -> Self {
+        self.seams = seams;
+        self
+    }
+
+    /// The least angle at which surfaces that cross make a line.
+    pub(super) fn intersection_fold(&self) -> FoldThreshold {
+        self.intersection_fold.unwrap_or(self.fold)
+    }
+
     /// Whether lines of this class are wanted.
     pub fn wants(&self, class: LineClass) -> bool {
         self.classes[class as usize]
@@ -54,10 +83,47 @@ impl FeatureOptions {
 pub enum LineOrigin {
     /// An edge of the mesh.
     Edge(u32),
+    /// A stretch of borders that lie on one another, in place of the edges
+    /// that it is part of.
+    Stretch(u32),
     /// A loose line of the mesh.
     Loose(u32),
     /// An intersection line.
     Intersection(u32),
+}
+
+impl LineOrigin {
+    /// The vertices at its ends; an intersection line has others.
+    #[inline]
+    pub fn vertices(self, mesh: &Mesh) -> Option<[u32; 2]> {
+        match self {
+            LineOrigin::Edge(edge) => Some(mesh.edges().ends(edge)),
+            LineOrigin::Stretch(_) => self.hinge().map(|hinge| mesh.hinge_ends(hinge)),
+            LineOrigin::Loose(index) => Some(mesh.loose_lines()[index as usize]),
+            LineOrigin::Intersection(_) => None,
+        }
+    }
+
+    /// The vertices, of one object, that name it: of a stretch those of an
+    /// edge that it is part of.
+    pub fn names(self, mesh: &Mesh) -> Option<[u32; 2]> {
+        match self {
+            LineOrigin::Stretch(index) => {
+                Some(mesh.edges().ends(mesh.borders().stretches()[index as usize].edge))
+            }
+            _ => self.vertices(mesh),
+        }
+    }
+
+    /// The edge or stretch, if it is one.
+    #[inline]
+    pub fn hinge(self) -> Option<Hinge> {
+        match self {
+            LineOrigin::Edge(edge) => Some(Hinge::Edge(edge)),
+            LineOrigin::Stretch(index) => Some(Hinge::Stretch(index)),
+            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+        }
+    }
 }
 
 /// A line to be drawn where it is visible.
@@ -96,7 +162,7 @@ impl EffectiveEdge {
 /// Lines and effective edges of a view.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Features {
-    /// The lines, by edge number.
+    /// The lines, by edge number; then stretches of borders, and loose lines.
     pub lines: Vec<FeatureLine>,
     /// The effective edges, by edge number.
     pub effective: Vec<EffectiveEdge>,
@@ -144,6 +210,7 @@ impl Features {
             features.effective.extend_from_slice(&found.effective);
             run.merge(&counters);
         }
+        features.add_stretches::<P>(mesh, points, facing, options, run);
         if options.wants(LineClass::Line) {
             let loose = 0..mesh.loose_lines().len() as u32;
             features.lines.extend(loose.map(|index| FeatureLine {
@@ -171,9 +238,43 @@ impl Features {
             all
         };
         self.effective.extend(all.effective(edge));
-        if let Some(class) = class_of(mesh, predicates, [all, faces], options, edge) {
+        if faces.all == 1 && mesh.borders().divide(edge) {
+            return;
+        }
+        let is_crease = || is_crease(mesh, predicates, options, edge);
+        if let Some(class) = class_of([all, faces], options, is_crease) {
             self.lines.push(FeatureLine { origin: LineOrigin::Edge(edge), class });
         }
+    }
+
+    /// Classifies the stretches of borders that lie on one another.
+    fn add_stretches<P: Policy>(
+        &mut self,
+        mesh: &Mesh,
+        points: &Points,
+        facing: &[Sign],
+        options: &FeatureOptions,
+        run: &Run,
+    ) {
+        let predicates = Predicates::<P>::new(points);
+        for (index, stretch) in (0..).zip(mesh.borders().stretches()) {
+            let sides = mesh.borders().sides(index, !options.seams);
+            let mut faces = EdgeSides::default();
+            sides
+                .iter()
+                .for_each(|side| faces.add(facing[side.triangle as usize], side.runs_along));
+            let is_crease = || match sides {
+                [one, other] => {
+                    let thirds = [one.third, other.third];
+                    Fold::measure(&predicates, stretch.ends, thirds, options.fold).exceeds
+                }
+                _ => false,
+            };
+            if let Some(class) = class_of([faces; 2], options, is_crease) {
+                self.lines.push(FeatureLine { origin: LineOrigin::Stretch(index), class });
+            }
+        }
+        run.merge(&predicates.counters());
     }
 
     fn count(&self, mesh: &Mesh, run: &Run) {
@@ -201,18 +302,23 @@ impl EdgeSides {
         let ends = mesh.edges().ends(edge);
         let mut sides = EdgeSides::default();
         for triangle in triangles {
-            sides.all += 1;
-            // The third corner is left of an edge that the triangle runs
-            // along if the triangle turns counter-clockwise.
-            let turn = facing[triangle as usize];
-            let side = if mesh.runs_along(triangle, ends) { turn } else { -turn };
-            match side {
-                Sign::Positive => sides.left += 1,
-                Sign::Negative => sides.right += 1,
-                Sign::Zero => {}
-            }
+            sides.add(facing[triangle as usize], mesh.runs_along(triangle, ends));
         }
         sides
+    }
+
+    /// Adds a triangle by the way it turns in the image, and whether it runs
+    /// along the edge.
+    #[inline]
+    fn add(&mut self, turn: Sign, runs_along: bool) {
+        self.all += 1;
+        // The third corner is left of an edge that the triangle runs
+        // along if the triangle turns counter-clockwise.
+        match if runs_along { turn } else { -turn } {
+            Sign::Positive => self.left += 1,
+            Sign::Negative => self.right += 1,
+            Sign::Zero => {}
+        }
     }
 
     /// The edge, if these sides make it effective.
@@ -233,12 +339,10 @@ impl EdgeSides {
 /// its triangles, `faces` those of the triangles whose faces end there: an
 /// edge along which a polygon happens to be cut is no edge of that polygon.
 #[inline]
-fn class_of<P: Policy>(
-    mesh: &Mesh,
-    predicates: &Predicates<'_, P>,
+fn class_of(
     [all, faces]: [EdgeSides; 2],
     options: &FeatureOptions,
-    edge: u32,
+    is_crease: impl FnOnce() -> bool,
 ) -> Option<LineClass> {
     let wanted = |class| options.wants(class).then_some(class);
     let mesh_line = || wanted(LineClass::Mesh);
@@ -252,7 +356,7 @@ fn class_of<P: Policy>(
             {
                 return Some(class);
             }
-            if options.wants(LineClass::Crease) && is_crease(mesh, predicates, options, edge) {
+            if options.wants(LineClass::Crease) && is_crease() {
                 return Some(LineClass::Crease);
             }
             mesh_line()

@@ -6,10 +6,11 @@
 //! open, non-manifold, inconsistently wound, and pass through itself.
 
 use super::adjacency::edges_of;
+use super::borders::Borders;
 use super::crossed::CrossedFaces;
 use super::faces::{Source, Triangles, are_polygonal};
 use super::weld::{merge_close, weld};
-use super::{Color, Edges, FacePlace, FacePlaces, Soup};
+use super::{Color, Edges, FacePlace, FacePlaces, Precision, Soup};
 use crate::run::{Cancelled, Run, map_chunks, map_small};
 use glam::DVec3;
 use std::ops::Range;
@@ -77,7 +78,10 @@ pub struct Mesh {
     loose_lines: Vec<[u32; 2]>,
     objects: Vec<Object>,
     colors: Vec<Option<Color>>,
+    borders: Borders,
     crossed_faces: Vec<u32>,
+    /// That of each object.
+    precisions: Vec<Precision>,
     report: MeshReport,
 }
 
@@ -166,6 +170,8 @@ impl Mesh {
         if mesh.triangles.is_empty() && mesh.loose_lines.is_empty() {
             return Err(MeshError::Empty);
         }
+        run.check()?;
+        mesh.borders = Borders::find(&mesh);
         Ok(mesh)
     }
 
@@ -196,6 +202,7 @@ impl Mesh {
             vertices,
             loose_lines: lines,
             objects: vec![object],
+            precisions: vec![Precision::default()],
             ..Mesh::default()
         })
     }
@@ -229,6 +236,7 @@ impl Mesh {
                 self.colors.resize(faces.start as usize, None);
                 self.colors.extend(colors);
             }
+            self.precisions.push(soup.precision);
             self.objects.push(Object {
                 name: soup.name,
                 vertices: vertex_start..vertex_end,
@@ -264,6 +272,11 @@ impl Mesh {
     /// Edges and their triangles.
     pub fn edges(&self) -> &Edges {
         &self.edges
+    }
+
+    /// Edges of one face that lie on others of their kind.
+    pub fn borders(&self) -> &Borders {
+        &self.borders
     }
 
     /// Loose lines (OBJ `l`).
@@ -382,15 +395,31 @@ impl Mesh {
         (x == a && y == b) || (y == a && z == b) || (z == a && x == b)
     }
 
-    /// The box of all vertices as (least, greatest) corner.
+    /// The distance within which places of the files may be one, the largest
+    /// of all objects: [`Precision::resolution`]. O(n).
+    pub fn resolution(&self) -> f64 {
+        let objects = self.objects.iter().zip(&self.precisions);
+        let of = |(object, precision): (&Object, &Precision)| {
+            let vertices = object.vertices.start as usize..object.vertices.end as usize;
+            precision.resolution(&self.vertices[vertices])
+        };
+        objects.map(of).fold(0.0, f64::max)
+    }
+
+    /// The box of all triangles and loose lines as (least, greatest) corner.
+    /// Vertices that nothing uses are no part of what is seen. O(n).
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let empty = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let join = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
-        map_chunks(self.vertices.len(), 1 << 16, |part| {
-            self.vertices[part].iter().fold(empty, |bounds, &p| join(bounds, (p, p)))
-        })
-        .into_iter()
-        .fold(empty, join)
+        let add = |bounds, &vertex: &u32| {
+            let p = self.vertices[vertex as usize];
+            join(bounds, (p, p))
+        };
+        let boxes = map_chunks(self.triangles.len(), 1 << 16, |part| {
+            self.triangles[part].as_flattened().iter().fold(empty, add)
+        });
+        let lines = self.loose_lines.as_flattened().iter().fold(empty, add);
+        boxes.into_iter().fold(lines, join)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a model file says, before anything is made of it: vertices, faces
 //! with holes, loose lines, object names.
 
-use super::FacePlaces;
+use super::{FacePlaces, Precision};
 use glam::DVec3;
 
 /// An object's colour, as in `#rrggbb`.
@@ -173,6 +173,8 @@ pub struct Soup {
     /// Where vertex `i` stands in the file if that is not `i`: the numbers
     /// that a JSON drawing shows, counted from 0.
     pub vertex_numbers: Option<Vec<u32>>,
+    /// How the positions were rounded when the file was written.
+    pub precision: Precision,
     /// Faces in file order; indices into `vertices`, all in range.
     pub faces: Faces,
     /// Colour of each face, where the file gives colours.

@@ -13,13 +13,14 @@
 
 use super::components::join;
 use super::features::is_crease;
+use super::world_boxes::WorldBoxes;
 use super::{
     CameraError, FeatureOptions, Intersections, Known, Mesh, StandardView, ViewCoordinates,
     triangle_hierarchy,
 };
 use crate::kernel::predicates::{Exact, Eye, Points, Predicates, are_collinear};
 use crate::run::{Cancelled, Run, map_chunks};
-use crate::spatial::{Bounds, Hierarchy, Rounding};
+use crate::spatial::Hierarchy;
 use glam::DVec3;
 
 /// A vertex inside an edge that does not end there.
@@ -60,6 +61,11 @@ pub struct Topology {
     pub odd_edges: usize,
     /// Parts of the surface that have no edge in common.
     pub components: usize,
+    /// Stretches along which borders of one object lie on one another: they
+    /// are no lines of their own kind.
+    pub matched_borders: usize,
+    /// Stretches of borders that two objects have in common, each once.
+    pub seams: usize,
     /// All T-junctions, by vertex and edge.
     pub t_junctions: Vec<TJunction>,
 }
@@ -95,6 +101,7 @@ impl Topology {
         }
         run.check()?;
         topology.components = count_components(mesh);
+        (topology.matched_borders, topology.seams) = count_stretches(mesh);
         topology.t_junctions = find_t_junctions(mesh, run);
         run.check()?;
         Ok(topology)
@@ -185,6 +192,15 @@ fn count_components(mesh: &Mesh) -> usize {
     components
 }
 
+/// Stretches with several faces of one object, and of two objects.
+fn count_stretches(mesh: &Mesh) -> (usize, usize) {
+    let borders = mesh.borders();
+    let all = || 0..borders.stretches().len() as u32;
+    let matched = all().filter(|&stretch| 1 < borders.sides(stretch, false).len()).count();
+    // Each seam is a stretch of either object.
+    (matched, all().filter(|&stretch| borders.is_seam(stretch)).count() / 2)
+}
+
 fn find_t_junctions(mesh: &Mesh, run: &Run<'_>) -> Vec<TJunction> {
     let all = 0..mesh.edges().len() as u32;
     let border: Vec<u32> = all.filter(|&e| mesh.edges().triangles(e).len() == 1).collect();
@@ -230,27 +246,6 @@ fn lies_inside(mesh: &Mesh, vertex: u32, edge: u32) -> bool {
         && p.cmple(from.max(to)).all()
         && mesh.object_of_vertex(vertex) == mesh.object_of_vertex(a)
         && are_collinear(from, to, p)
-}
-
-/// Boxes in world axes, rounded outward.
-struct WorldBoxes<'m> {
-    mesh: &'m Mesh,
-    rounding: Rounding,
-}
-
-impl<'m> WorldBoxes<'m> {
-    fn new(mesh: &'m Mesh) -> Self {
-        let (low, high) = mesh.bounds();
-        let ranges = [low.x..high.x, low.y..high.y, low.z..high.z];
-        WorldBoxes { mesh, rounding: Rounding::for_ranges(ranges) }
-    }
-
-    fn around(&self, vertices: &[u32]) -> Bounds {
-        vertices.iter().fold(Bounds::EMPTY, |bounds, &vertex| {
-            let point = self.mesh.vertices()[vertex as usize];
-            bounds.union(&self.rounding.around(point, point))
-        })
-    }
 }
 
 #[cfg(test)]

@@ -48,6 +48,13 @@ impl VertexBoxes<'_> {
     }
 }
 
+/// A point along right, up and forward, and how far it may be off in each.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoughPoint {
+    at: DVec3,
+    error: f64,
+}
+
 /// View coordinates of all vertices of a scene.
 #[derive(Debug, Clone)]
 pub struct ViewCoordinates {
@@ -134,21 +141,26 @@ impl ViewCoordinates {
     /// lie on or behind the plane of a perspective eye.
     #[inline]
     fn interval(&self, vertex: u32) -> Option<(DVec3, DVec3)> {
-        let point = self.points[vertex as usize];
+        self.interval_of(self.rough_vertex(vertex))
+    }
+
+    /// The same for any point.
+    #[inline(always)]
+    fn interval_of(&self, RoughPoint { at: point, error }: RoughPoint) -> Option<(DVec3, DVec3)> {
         match self.frame.projection {
             Projection::Orthographic => {
-                let slack = DVec3::splat(self.error);
+                let slack = DVec3::splat(error);
                 Some((point - slack, point + slack))
             }
             Projection::Perspective => {
-                if point.z <= self.error * 4096.0 {
+                if point.z <= error * 4096.0 {
                     return None;
                 }
                 let (image, depth) = self.project(point);
                 // d(x / z) <= (dx + |x / z| dz) / (z - dz), and one rounding.
-                let scale = 1.001 * self.error / point.z;
+                let scale = 1.001 * error / point.z;
                 let slack = (DVec2::ONE + image.abs()) * scale + image.abs() * f64::EPSILON;
-                let slack = slack.extend(self.error);
+                let slack = slack.extend(error);
                 let middle = image.extend(depth);
                 Some((middle - slack, middle + slack))
             }
@@ -273,5 +285,42 @@ impl ViewCoordinates {
             return SegmentProbe::new(bounds, [f32::NAN; 2], [f32::NAN; 2]);
         }
         SegmentProbe::new(bounds, start, end)
+    }
+
+    /// A vertex.
+    #[inline(always)]
+    pub fn rough_vertex(&self, vertex: u32) -> RoughPoint {
+        RoughPoint { at: self.points[vertex as usize], error: self.error }
+    }
+
+    /// The point at a share of the way from one vertex to another, a number
+    /// from 0 to 1 that may be off by some of that.
+    pub fn rough_between(&self, [from, to]: [u32; 2], share: f64, off: f64) -> RoughPoint {
+        let from = self.points[from as usize];
+        let way = self.points[to as usize] - from;
+        // The way rounds, is multiplied and added.
+        let error = 4.0 * self.error + 1.001 * off * way.abs().max_element();
+        RoughPoint { at: from + way * share, error }
+    }
+
+    /// A probe for the segment between two points, and the boxes around its
+    /// ends; nothing where one of them may lie on or behind the plane of the
+    /// eye.
+    pub fn rough_probe(&self, ends: [RoughPoint; 2]) -> Option<(SegmentProbe, [Bounds; 2])> {
+        /// A probe allows its ends to be off by so much, in a picture of size two.
+        const MOST: f32 = 2e-7;
+        let [start, end] = [self.interval_of(ends[0])?, self.interval_of(ends[1])?];
+        let boxes = [start, end].map(|(low, high)| self.rounding.around(low, high));
+        let images = ends.map(|end| {
+            let (image, _) = self.project(end.at);
+            [self.rounding.nearest(0, image.x), self.rounding.nearest(1, image.y)]
+        });
+        let is_near = |own: &Bounds| {
+            let size = own.high - own.low;
+            size.x.max(size.y) < MOST
+        };
+        let around = boxes[0].union(&boxes[1]);
+        let [from, to] = if boxes.iter().all(is_near) { images } else { [[f32::NAN; 2]; 2] };
+        Some((SegmentProbe::new(around, from, to), boxes))
     }
 }

@@ -35,7 +35,7 @@ pub use horizon_columns::{ColumnPieces, ColumnsError, horizon_columns};
 pub use item_buffer::ItemBuffer;
 pub use methods::{Method, methods};
 pub use picture::Show;
-pub use ray_cast::{ray_cast, ray_hits};
+pub use ray_cast::{ray_cast, ray_cast_at, ray_hits};
 pub use samples::Samples;
 pub use scanline::{scanline, spanning};
 pub use sheets::SheetCounter;

@@ -38,11 +38,46 @@ pub fn ray_cast<P: Policy>(
     let sampled = Sampled::new(view, question, samples);
     let width = samples.width();
     let count = width as usize * samples.height() as usize;
+    let cell = |i: usize| [i as u32 % width, i as u32 / width];
+    let hits = cast::<P>(view, question, &sampled, (count, cell), run)?;
+    Ok(sampled.buffer(hits))
+}
+
+/// The nearest triangle at some samples, named by column and row: what
+/// [`ray_cast`] finds there.
+///
+/// # Errors
+///
+/// If the run is cancelled.
+pub fn ray_cast_at<P: Policy>(
+    view: &View,
+    question: &LineQuestion<'_>,
+    samples: &Samples,
+    cells: &[[u32; 2]],
+    run: &Run<'_>,
+) -> Result<Vec<Option<u32>>, Cancelled> {
+    let sampled = Sampled::of_some(view, question, samples, cells.iter().copied());
+    cast::<P>(view, question, &sampled, (cells.len(), |i| cells[i]), run)
+}
+
+/// Casts a ray through each sample of some, which are given by their number
+/// and their columns and rows.
+fn cast<P: Policy>(
+    view: &View,
+    question: &LineQuestion<'_>,
+    sampled: &Sampled<'_>,
+    (count, cell): (usize, impl Fn(usize) -> [u32; 2] + Sync + Send),
+    run: &Run<'_>,
+) -> Result<Vec<Option<u32>>, Cancelled> {
     // Boxes of rays and of triangles must be rounded alike.
+    let first = question.mesh.vertices().len();
     let mut vertices = question.mesh.vertices().to_vec();
-    vertices.extend((0..count as u32).map(|i| samples.point(i % width, i / width)));
+    vertices.extend((0..count).map(|i| {
+        let [column, row] = cell(i);
+        sampled.samples().point(column, row)
+    }));
     let coordinates = ViewCoordinates::new(&view.frame, &vertices);
-    let caster = Caster { sampled: &sampled, tree: BoxTree::of_triangles(question, &coordinates) };
+    let caster = Caster { sampled, tree: BoxTree::of_triangles(question, &coordinates) };
     let parts = run.stage("ray-cast", count as u64, || {
         map_chunks(count, PART, |part| {
             run.check()?;
@@ -51,7 +86,7 @@ pub fn ray_cast<P: Policy>(
             let hits: Vec<_> = part
                 .take_while(|_| !run.is_stopped())
                 .map(|i| {
-                    let sample = sampled.vertex([i as u32 % width, i as u32 / width]);
+                    let sample = (first + i) as u32;
                     let mut area = coordinates.bounds([sample]);
                     area.high[2] = f32::INFINITY;
                     caster.nearest(&predicates, sample, &area)
@@ -68,7 +103,7 @@ pub fn ray_cast<P: Policy>(
     for part in parts {
         hits.extend(part?);
     }
-    Ok(sampled.buffer(hits))
+    Ok(hits)
 }
 
 /// All triangles that the ray through one sample meets, nearest first, with

@@ -119,7 +119,7 @@ impl<'a, 'q, P: Policy> SheetCounter<'a, 'q, P> {
         let carrier = self.question.carrier(line);
         let own = match line.origin {
             LineOrigin::Intersection(i) => self.question.intersections[i as usize].triangles,
-            LineOrigin::Edge(_) | LineOrigin::Loose(_) => [u32::MAX; 2],
+            _ => [u32::MAX; 2],
         };
         self.tree.in_front(&self.area(line), |triangle| {
             if !own.contains(&triangle) {

@@ -9,6 +9,7 @@ mod counters;
 mod limits;
 mod parallel;
 mod progress;
+mod reading;
 mod sample;
 
 pub use counters::{Counters, StageTime};

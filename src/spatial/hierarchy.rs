@@ -66,13 +66,49 @@ impl Hierarchy {
     }
 
     /// The items in the order of the lowest groups.
-    pub(super) fn items(&self) -> &[u32] {
+    pub fn items(&self) -> &[u32] {
         &self.items
+    }
+
+    /// How many groups a level has.
+    pub(super) fn groups(&self, level: usize) -> usize {
+        self.levels[level].len()
+    }
+
+    /// The boxes of a group.
+    #[inline(always)]
+    pub(super) fn group(&self, level: usize, group: usize) -> &Group {
+        &self.levels[level][group]
+    }
+
+    /// How many items are below a group.
+    pub(super) fn items_below(&self, level: usize, group: usize) -> usize {
+        let per_group = SIZE.pow(level as u32 + 1);
+        per_group.min(self.items.len() - group * per_group)
+    }
+
+    /// The highest level with so many groups that they can be dealt out to
+    /// threads. Few items are not worth waking threads for.
+    pub(super) fn level_of(&self, groups: usize) -> usize {
+        let top = self.levels.len() - 1;
+        let wide = |&level: &usize| self.levels[level].len() >= groups;
+        let few = self.levels[0].len() < 64;
+        if few { top } else { (0..=top).rev().find(wide).unwrap_or(0) }
+    }
+
+    /// Calls `found` with the groups of a level after `own` whose boxes
+    /// overlap the one around it.
+    pub(super) fn groups_after(&self, level: usize, own: usize, found: &mut impl FnMut(usize)) {
+        let top = self.levels.len() - 1;
+        if level < top {
+            let bounds = self.levels[level + 1][own / SIZE].get(own % SIZE);
+            self.later_groups(top, 0, level, own, &bounds, &mut |other, _| found(other));
+        }
     }
 
     /// The places of a group that are taken.
     #[inline(always)]
-    fn taken(&self, level: usize, group: usize) -> u8 {
+    pub(super) fn taken(&self, level: usize, group: usize) -> u8 {
         let last = self.levels[level].len() - 1;
         if group < last {
             return u8::MAX;
@@ -188,13 +224,8 @@ impl Hierarchy {
         start: impl Fn() -> T + Sync + Send,
         found: impl Fn(&mut T, u32, u32) + Sync + Send,
     ) -> Vec<T> {
-        // A level with enough groups to deal them out: one result per group,
-        // which meets itself and all later groups. Few items are not worth
-        // waking threads for.
-        let top = self.levels.len() - 1;
-        let wide = |&level: &usize| self.levels[level].len() >= 256;
-        let few = self.levels[0].len() < 64;
-        let level = if few { top } else { (0..=top).rev().find(wide).unwrap_or(0) };
+        // One result per group, which meets itself and all later groups.
+        let (level, top) = (self.level_of(256), self.levels.len() - 1);
         map_indexed(self.levels[level].len(), |group| {
             let mut result = start();
             if run.is_stopped() {
@@ -211,8 +242,7 @@ impl Hierarchy {
                 });
             }
             if !run.is_stopped() {
-                let per_group = SIZE.pow(level as u32 + 1);
-                run.advance(per_group.min(self.items.len() - group * per_group) as u64);
+                run.advance(self.items_below(level, group) as u64);
             }
             result
         })

@@ -3,6 +3,7 @@
 //! a false "no". What an occlusion map calls hidden is rounded inward: it is.
 
 mod bounds;
+mod connected;
 mod crossings;
 mod group;
 mod hierarchy;

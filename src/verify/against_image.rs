@@ -11,8 +11,9 @@
 
 use super::places::Places;
 use crate::kernel::predicates::Policy;
-use crate::model::{FeatureLine, LineClass, LineOrigin};
-use crate::raster::{BoxTree, ItemBuffer, Probe, Samples, SheetCounter};
+use crate::model::{FeatureLine, LineClass, LineOrigin, Mesh, View};
+use crate::raster::{BoxTree, Probe, Samples, SheetCounter, ray_cast_at};
+use crate::run::{Cancelled, Run};
 use crate::spatial::Bounds;
 use crate::view::LineQuestion;
 use glam::{DVec2, DVec3};
@@ -31,21 +32,32 @@ pub(super) enum Verdict {
     Skipped,
 }
 
-/// An image and the edges at which it may change between two samples.
+/// Pixels of an image and the edges at which it may change between two samples.
 #[derive(Debug)]
 pub(super) struct ImageCheck {
     samples: Samples,
-    buffer: ItemBuffer,
+    /// Pixels, sorted, and the nearest triangle at each.
+    pixels: Vec<[u32; 2]>,
+    nearest: Vec<Option<u32>>,
     edges: Vec<(LineOrigin, [DVec2; 2])>,
     tree: BoxTree,
 }
 
 impl ImageCheck {
+    /// Casts a ray for each pixel in which one of the points lies that will
+    /// be asked about, and no other.
     pub(super) fn new<P: Policy>(
-        question: &LineQuestion,
+        view: &View,
+        question: &LineQuestion<'_>,
         samples: Samples,
-        buffer: ItemBuffer,
-    ) -> Self {
+        points: impl Iterator<Item = DVec2>,
+        run: &Run<'_>,
+    ) -> Result<Self, Cancelled> {
+        let pixels = points.filter_map(|point| samples.pixel_of(point));
+        let mut pixels: Vec<[u32; 2]> = pixels.collect();
+        pixels.sort_unstable();
+        pixels.dedup();
+        let nearest = ray_cast_at::<P>(view, question, &samples, &pixels, run)?;
         let places = Places::<P>::new(question);
         let coordinates = question.coordinates;
         let effective = question.effective.iter().map(|effective| {
@@ -65,7 +77,8 @@ impl ImageCheck {
         };
         let edges: Vec<_> = effective.chain(intersections).filter_map(in_front).collect();
         let boxes = edges.iter().map(|(_, [a, b])| image_box(a.min(*b), a.max(*b)));
-        ImageCheck { samples, buffer, tree: BoxTree::new(boxes.collect()), edges }
+        let tree = BoxTree::new(boxes.collect());
+        Ok(ImageCheck { samples, pixels, nearest, tree, edges })
     }
 
     /// What the image says about the point `probe` of a line, whose image
@@ -78,11 +91,12 @@ impl ImageCheck {
         probe: Probe,
         point: DVec2,
     ) -> Verdict {
-        let Some([column, row]) = self.samples.pixel_of(point) else {
+        let pixel = self.samples.pixel_of(point);
+        let Some(Ok(pixel)) = pixel.map(|pixel| self.pixels.binary_search(&pixel)) else {
             return Verdict::Skipped;
         };
         let carrier = question.carrier(line);
-        if let Some(triangle) = self.buffer.item(column, row) {
+        if let Some(triangle) = self.nearest[pixel] {
             if counter.hides(carrier, probe, triangle).contains(&true) {
                 return Verdict::Hidden;
             }
@@ -90,16 +104,26 @@ impl ImageCheck {
                 return Verdict::Skipped;
             }
         }
-        if self.is_near_edge(line, point) { Verdict::Skipped } else { Verdict::Visible }
+        if self.is_near_edge(question.mesh, line, point) {
+            Verdict::Skipped
+        } else {
+            Verdict::Visible
+        }
     }
 
     /// Whether the image may change near a point of a line.
-    fn is_near_edge(&self, line: &FeatureLine, point: DVec2) -> bool {
+    fn is_near_edge(&self, mesh: &Mesh, line: &FeatureLine, point: DVec2) -> bool {
+        let own = |origin: LineOrigin| match (line.origin, origin) {
+            (LineOrigin::Stretch(index), LineOrigin::Edge(edge)) => {
+                mesh.borders().sides(index, true).iter().any(|side| side.edge == edge)
+            }
+            (own, origin) => own == origin,
+        };
         let reach = DVec2::splat(BAND * self.samples.pixel());
         let mut near = false;
         self.tree.in_front(&image_box(point - reach, point + reach), |index| {
             let (origin, [a, b]) = self.edges[index as usize];
-            near |= origin != line.origin && distance(point, a, b) < reach.x;
+            near |= !own(origin) && distance(point, a, b) < reach.x;
         });
         near
     }

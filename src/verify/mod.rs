@@ -38,15 +38,16 @@ pub use explain::{
     CoincidentLine, EndCause, EndThere, Explainer, Explanation, FaceThere, LineThere, Side,
 };
 pub use painting::{PaintReport, PaintTally, PaintVerifyOptions, PainterRow, verify_painting};
-pub use regions::{RegionReport, RegionTally, RegionVerifyOptions, Surplus, verify_regions};
+pub use regions::{RegionReport, RegionTally, RegionVerifyOptions, verify_regions};
 pub use report::{Check, Difference, DifferenceSegment, Report, Tally};
 
 use crate::kernel::predicates::Policy;
 use crate::model::View;
-use crate::raster::{Samples, SheetCounter, ray_cast};
+use crate::raster::{Samples, SheetCounter};
 use crate::run::{Cancelled, Run, map_chunks};
 use crate::view::{ExactLines, ExactPiece, LineQuestion};
 use against_image::{ImageCheck, Verdict};
+use glam::DVec2;
 use places::Places;
 use std::cmp::Ordering;
 
@@ -103,17 +104,23 @@ pub fn verify<P: Policy>(
     // Without lines there is nothing to look for in an image.
     let size = if question.lines.is_empty() { 0 } else { options.image_size };
     let samples = Samples::around(&view.frame, question.coordinates, vertices, size);
+    let count = question.lines.len();
+    let middles = map_chunks(count, PART, |part| {
+        let places = Places::<P>::new(question);
+        part.map(|line| middles(&places, line, answer.line(line))).collect::<Vec<_>>()
+    })
+    .concat();
+    run.check()?;
     let image = match samples {
         None => None,
         Some(samples) => {
+            let points = middles.iter().flatten().flatten().copied();
             // What hides a line is not cut at the near plane.
             let uncut = View { near: None, ..*view };
-            let buffer = ray_cast::<P>(&uncut, question, &samples, run)?;
-            Some(ImageCheck::new::<P>(question, samples, buffer))
+            Some(ImageCheck::new::<P>(&uncut, question, samples, points, run)?)
         }
     };
     let tree = SheetCounter::<P>::tree(question);
-    let count = question.lines.len();
     let parts = run.stage("verify", count as u64, || {
         map_chunks(count, PART, |part| {
             run.check()?;
@@ -127,7 +134,7 @@ pub fn verify<P: Policy>(
             for line in part {
                 run.check()?;
                 run.advance(1);
-                worker.line(line, answer.line(line), &mut report);
+                worker.line(line, answer.line(line), middles[line].as_deref(), &mut report);
             }
             run.merge(&worker.counter.counters());
             Ok(report)
@@ -140,6 +147,22 @@ pub fn verify<P: Policy>(
     Ok(report)
 }
 
+/// The image of the middle of each piece of a line; nothing if some piece ends
+/// where no place of the line is.
+fn middles<P: Policy>(
+    places: &Places<'_, '_, P>,
+    line: usize,
+    pieces: &[ExactPiece],
+) -> Option<Vec<DVec2>> {
+    let middle = |piece: &ExactPiece| {
+        let ends = [piece.from, piece.to];
+        let is_on = ends.iter().all(|&end| places.is_on(line, end));
+        let [from, to] = is_on.then(|| ends.map(|end| places.parameter(line, end)))?;
+        Some(places.image_at(line, (from + to) * 0.5))
+    };
+    pieces.iter().map(middle).collect()
+}
+
 /// Checks the lines of one task.
 struct Worker<'a, 'q, P: Policy> {
     question: &'a LineQuestion<'q>,
@@ -149,11 +172,15 @@ struct Worker<'a, 'q, P: Policy> {
 }
 
 impl<P: Policy> Worker<'_, '_, P> {
-    fn line(&self, line: usize, pieces: &[ExactPiece], report: &mut Report) {
-        let places_are_on = pieces
-            .iter()
-            .all(|piece| self.places.is_on(line, piece.from) && self.places.is_on(line, piece.to));
-        let whole = if places_are_on { self.places.whole(line, pieces) } else { Vec::new() };
+    /// `middles` are those of the pieces, if all of them are some.
+    fn line(
+        &self,
+        line: usize,
+        pieces: &[ExactPiece],
+        middles: Option<&[DVec2]>,
+        report: &mut Report,
+    ) {
+        let whole = middles.map_or_else(Vec::new, |_| self.places.whole(line, pieces));
         match cover::fault(&self.places, line, pieces) {
             None => report.agree(Check::Cover, whole.iter().map(|[a, b]| a.distance(*b)).sum()),
             Some(what) => {
@@ -163,14 +190,12 @@ impl<P: Policy> Worker<'_, '_, P> {
             }
         }
         // Nothing can be asked about pieces that are none.
-        if places_are_on {
-            for piece in pieces {
-                self.piece(line, piece, report);
-            }
+        for (piece, middle) in pieces.iter().zip(middles.unwrap_or_default()) {
+            self.piece(line, piece, *middle, report);
         }
     }
 
-    fn piece(&self, index: usize, piece: &ExactPiece, report: &mut Report) {
+    fn piece(&self, index: usize, piece: &ExactPiece, middle: DVec2, report: &mut Report) {
         let places = [piece.from, piece.to];
         if self.places.order(index, piece.from, piece.to) != Ordering::Less {
             return;
@@ -197,10 +222,8 @@ impl<P: Policy> Worker<'_, '_, P> {
         let Some(image) = self.image else {
             return;
         };
-        let [from, to] = places.map(|place| self.places.parameter(index, place));
-        let point = self.places.image_at(index, (from + to) * 0.5);
         let hidden = piece.invisibility > 0;
-        match image.verdict(&self.counter, self.question, line, probe, point) {
+        match image.verdict(&self.counter, self.question, line, probe, middle) {
             Verdict::Hidden => compare(Check::Image, hidden, "a hidden piece".to_owned()),
             Verdict::Visible => compare(Check::Image, !hidden, "a visible piece".to_owned()),
             Verdict::Skipped => report.skip(Check::Image),

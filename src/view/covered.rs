@@ -87,6 +87,14 @@ impl Covered {
                 question.mesh.edges().triangles(edge).iter().any(is_covered)
                     || self.hides_segment(question, question.mesh.edges().ends(edge))
             }
+            LineOrigin::Stretch(index) => {
+                let sides = question.mesh.borders().sides(index, true);
+                sides.iter().any(|side| is_covered(&side.triangle))
+                    || self.hides_segment(
+                        question,
+                        question.mesh.borders().stretches()[index as usize].ends,
+                    )
+            }
             LineOrigin::Loose(index) => {
                 self.hides_segment(question, question.mesh.loose_lines()[index as usize])
             }

@@ -7,7 +7,7 @@ use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Points, Policy};
 use crate::model::{
     ConvexParts, EffectiveEdge, Fans, FeatureLine, FeatureOptions, Features, Intersections, Known,
-    LineClass, LineOrigin, Mesh, View, ViewCoordinates, facing, triangle_hierarchy,
+    LineClass, Mesh, View, ViewCoordinates, facing, triangle_hierarchy,
 };
 use crate::run::{Cancelled, Run};
 use crate::spatial::Hierarchy;
@@ -156,7 +156,7 @@ impl<'m> PreparedView<'m> {
             lines.len() * size_of::<FeatureLine>() + effective.len() * size_of::<EffectiveEdge>();
         run.take(made as u64)?;
         if wanted {
-            prepared.add_intersection_lines(covered.as_ref());
+            prepared.add_intersection_lines::<P>(wishes, covered.as_ref(), run);
         }
         run.check()?;
         Ok(prepared)
@@ -211,15 +211,16 @@ impl<'m> PreparedView<'m> {
         Ok(())
     }
 
-    /// Makes lines of the crossings, but for those that are hidden all along.
-    fn add_intersection_lines(&mut self, covered: Option<&Covered>) {
+    /// Makes lines of the crossings that are wished for, but for those that
+    /// are hidden all along.
+    fn add_intersection_lines<P: Policy>(
+        &mut self,
+        wishes: &[ObjectWish],
+        covered: Option<&Covered>,
+        run: &Run,
+    ) {
         let question = self.question(false);
-        let all = 0..question.intersections.len() as u32;
-        let lines = all.map(|index| FeatureLine {
-            origin: LineOrigin::Intersection(index),
-            class: LineClass::Intersection,
-        });
-        let mut lines: Vec<FeatureLine> = lines.collect();
+        let mut lines = wishes::crossings::<P>(&question, wishes, run);
         if let Some(covered) = covered {
             lines = covered.shown(&question, &lines);
         }

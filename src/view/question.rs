@@ -98,6 +98,10 @@ impl<'a> LineQuestion<'a> {
                 let [a, b] = self.mesh.edges().ends(edge);
                 Carrier::edge(a, b)
             }
+            LineOrigin::Stretch(index) => {
+                let [a, b] = self.mesh.borders().stretches()[index as usize].ends;
+                Carrier::edge(a, b)
+            }
             LineOrigin::Loose(index) => {
                 let [a, b] = self.mesh.loose_lines()[index as usize];
                 Carrier::edge(a, b)
@@ -105,21 +109,33 @@ impl<'a> LineQuestion<'a> {
             LineOrigin::Intersection(index) => self.intersections[index as usize].carrier,
         }
     }
+
+    /// The triangles that contain `line` by what it is, each with its corner
+    /// beside the line if it ends there.
+    pub fn faces_of(&self, line: &FeatureLine) -> Vec<(u32, Option<u32>)> {
+        if let LineOrigin::Intersection(index) = line.origin {
+            let crossing = &self.intersections[index as usize];
+            return (0..2).flat_map(|surface| crossing.faces(self.mesh, surface)).collect();
+        }
+        if let LineOrigin::Edge(edge) = line.origin {
+            let ends = self.mesh.edges().ends(edge);
+            let third = |triangle| (triangle, Some(self.mesh.third(triangle, ends)));
+            return self.mesh.faces_at(edge).into_iter().map(third).collect();
+        }
+        let sides = line.origin.hinge().into_iter().flat_map(|it| self.mesh.hinge_sides(it));
+        sides.map(|(triangle, third)| (triangle, Some(third))).collect()
+    }
+
     /// The object of `line`, the first face's of an intersection line, and
     /// which of its edges or faces it is, by their numbers in the file.
     pub fn source(&self, line: &FeatureLine) -> (u32, LineSource) {
-        let edge = |[a, b]: [u32; 2]| {
-            let source = LineSource::Edge([a, b].map(|vertex| self.mesh.vertex_number(vertex)));
-            (self.mesh.object_of_vertex(a), source)
-        };
-        match line.origin {
-            LineOrigin::Edge(index) => edge(self.mesh.edges().ends(index)),
-            LineOrigin::Loose(index) => edge(self.mesh.loose_lines()[index as usize]),
-            LineOrigin::Intersection(index) => {
-                let triangles = self.intersections[index as usize].triangles;
-                let faces = triangles.map(|triangle| self.mesh.face_number(triangle));
-                (self.mesh.object_of_triangle(triangles[0]), LineSource::Faces(faces))
-            }
+        if let LineOrigin::Intersection(index) = line.origin {
+            let triangles = self.intersections[index as usize].triangles;
+            let faces = triangles.map(|triangle| self.mesh.face_number(triangle));
+            return (self.mesh.object_of_triangle(triangles[0]), LineSource::Faces(faces));
         }
+        let names = line.origin.names(self.mesh).unwrap_or_default();
+        let source = LineSource::Edge(names.map(|vertex| self.mesh.vertex_number(vertex)));
+        (self.mesh.object_of_vertex(names[0]), source)
     }
 }

@@ -43,8 +43,14 @@ impl VisibleRegions {
 
     /// The region to which what is seen of a triangle belongs. O(log n).
     pub fn of_triangle(&self, triangle: u32) -> Option<&Region> {
+        self.index_of_triangle(triangle).map(|index| &self.regions[index])
+    }
+
+    /// Its place among all regions. O(log n).
+    pub fn index_of_triangle(&self, triangle: u32) -> Option<usize> {
         let place = self.regions.partition_point(|region| region.triangles.end <= triangle);
-        self.regions.get(place).filter(|region| region.triangles.contains(&triangle))
+        let region = self.regions.get(place)?;
+        region.triangles.contains(&triangle).then_some(place)
     }
 }
 

@@ -1,9 +1,12 @@
 //! What is wished of single objects.
 
+use super::LineQuestion;
 use crate::kernel::numbers::Sign;
-use crate::kernel::predicates::{Points, Policy};
-use crate::model::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, Mesh};
-use crate::run::Run;
+use crate::kernel::predicates::{Points, Policy, Predicates};
+use crate::model::{
+    EffectiveEdge, FeatureLine, FeatureOptions, Features, LineClass, LineOrigin, Mesh,
+};
+use crate::run::{Run, map_chunks};
 
 /// How one object is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -53,11 +56,39 @@ pub(super) fn find<P: Policy>(
     features
 }
 
+/// Intersection lines that are wished for by one of the objects that cross.
+/// O(n).
+pub(super) fn crossings<P: Policy>(
+    question: &LineQuestion<'_>,
+    wishes: &[ObjectWish],
+    run: &Run<'_>,
+) -> Vec<FeatureLine> {
+    /// Lines that one task looks at.
+    const PART: usize = 1 << 12;
+    let crossings = question.intersections;
+    let parts = map_chunks(crossings.len(), PART, |part| {
+        let predicates = Predicates::<P>::new(question.points);
+        let is_wanted = |index: &usize| {
+            let crossing = &crossings[*index];
+            let object = |i: usize| question.mesh.object_of_triangle(crossing.triangles[i]);
+            let [first, second] = [0, 1].map(|i| &wishes[object(i) as usize].features);
+            let wanted = |options: &FeatureOptions| {
+                options.wants(LineClass::Intersection)
+                    && crossing.is_fold(question.mesh, &predicates, options)
+            };
+            wanted(first) || (second != first && wanted(second))
+        };
+        let line = |index: usize| FeatureLine {
+            origin: LineOrigin::Intersection(index as u32),
+            class: LineClass::Intersection,
+        };
+        let lines: Vec<FeatureLine> = part.filter(is_wanted).map(line).collect();
+        (lines, predicates.counters())
+    });
+    parts.iter().for_each(|(_, counters)| run.merge(counters));
+    parts.into_iter().flat_map(|(lines, _)| lines).collect()
+}
+
 fn object_of(mesh: &Mesh, line: &FeatureLine) -> u32 {
-    let vertex = match line.origin {
-        LineOrigin::Edge(edge) => mesh.edges().ends(edge)[0],
-        LineOrigin::Loose(index) => mesh.loose_lines()[index as usize][0],
-        LineOrigin::Intersection(_) => 0,
-    };
-    mesh.object_of_vertex(vertex)
+    mesh.object_of_vertex(line.origin.names(mesh).map_or(0, |[vertex, _]| vertex))
 }

@@ -35,8 +35,8 @@ use crate::kernel::predicates::{
 };
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::{Cancelled, Counters, Run, map_chunks};
-use crate::spatial::{Bounds, Crossings, Hierarchy, SegmentProbe};
-use crate::view::{ExactLines, ExactPiece, LineQuestion, OutlineOf};
+use crate::spatial::{Crossings, Hierarchy};
+use crate::view::{ExactLines, ExactPiece, LineQuestion, OutlineOf, ProbedLine};
 use std::cmp::Ordering;
 
 /// Lines that one task looks at.
@@ -84,8 +84,8 @@ type Sides = [i32; 2];
 /// A line as it is looked along: from an end in front of the near plane.
 struct Way {
     carrier: Carrier,
-    start: Bounds,
-    probe: SegmentProbe,
+    /// Where it may be, at any depth.
+    probed: ProbedLine,
     /// The only object whose sheets count, if not all do.
     object: Option<u32>,
     /// Whether the way goes from the line's end to its start.
@@ -166,47 +166,32 @@ impl<P: Policy> Seeker<'_, '_, P> {
     fn way(&self, line: &FeatureLine) -> Option<Way> {
         let question = self.question;
         let carrier = question.carrier(line);
-        let (object, probe) = match line.origin {
-            LineOrigin::Edge(edge) => {
-                let ends = question.mesh.edges().ends(edge);
-                (question.mesh.object_of_vertex(ends[0]), question.coordinates.probe(ends))
-            }
-            LineOrigin::Loose(index) => {
-                let ends = question.mesh.loose_lines()[index as usize];
-                (question.mesh.object_of_vertex(ends[0]), question.coordinates.probe(ends))
-            }
+        let object = match (self.of, line.origin) {
+            (OutlineOf::Scene, _) => None,
+            (
+                OutlineOf::Objects,
+                LineOrigin::Edge(_) | LineOrigin::Stretch(_) | LineOrigin::Loose(_),
+            ) => Some(question.source(line).0),
             // Within two faces; where it runs along a border of one of them,
             // that is a line too.
-            LineOrigin::Intersection(_) if self.of == OutlineOf::Objects => return None,
-            LineOrigin::Intersection(index) => {
-                let own = question.intersections[index as usize].triangles;
-                let [s, t] = own.map(|own| {
-                    question.coordinates.bounds(question.mesh.triangles()[own as usize])
-                });
-                let nowhere = [f32::NAN; 2];
-                (own[0], SegmentProbe::new(s.intersection(&t), nowhere, nowhere))
-            }
+            (OutlineOf::Objects, LineOrigin::Intersection(_)) => return None,
         };
+        let probed = question.probe(&self.predicates, line).of_any_depth();
         let backwards = question.points.has_near_plane()
             && self.predicates.value_sign(Cut::Near, carrier.ends[0]) != Sign::Positive;
         let carrier = if backwards { carrier.reversed() } else { carrier };
         if backwards && self.predicates.value_sign(Cut::Near, carrier.ends[0]) != Sign::Positive {
             return None;
         }
-        let start = match carrier.ends[0] {
-            Point::Vertex(vertex) => question.coordinates.bounds([vertex]),
-            Point::Piercing(_) => *probe.bounds(),
-        };
-        let object = (self.of == OutlineOf::Objects).then_some(object);
-        let (start, probe) = (start.of_any_depth(), probe.of_any_depth());
-        Some(Way { carrier, start, probe, object, backwards })
+        let probed = if backwards { probed.turned() } else { probed };
+        Some(Way { carrier, probed, object, backwards })
     }
 
     /// How many sheets are over the two sides of the beginning of a way.
     fn covers_of_start(&self, way: &Way) -> Sides {
         let mut sum = [0; 2];
         self.triangles.visit(
-            |group| group.hiding(&way.start),
+            |group| group.hiding(&way.probed.ends[0]),
             |triangle| {
                 let covers = self.covers_start(way, triangle);
                 sum = [0, 1].map(|side| sum[side] + i32::from(covers[side]));
@@ -254,7 +239,8 @@ impl<P: Policy> Seeker<'_, '_, P> {
     /// How the counts change along a way, in its order.
     fn changes(&self, way: &Way) -> Vec<Change<Sides>> {
         let mut changes = Vec::new();
-        self.effective.candidates(&way.probe, |index| changes.extend(self.change(way, index)));
+        self.effective
+            .candidates(&way.probed.probe, |index| changes.extend(self.change(way, index)));
         sort_by_predicates::<P, _>(&mut changes, |a, b| self.order(way.carrier, a, b));
         changes
     }

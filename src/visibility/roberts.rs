@@ -155,7 +155,7 @@ impl<'a, 'q, P: Policy> Judge<'a, 'q, P> {
     fn own_triangles(&self, index: usize) -> [u32; 2] {
         match self.question.lines[index].origin {
             LineOrigin::Intersection(i) => self.question.intersections[i as usize].triangles,
-            LineOrigin::Edge(_) | LineOrigin::Loose(_) => [u32::MAX; 2],
+            _ => [u32::MAX; 2],
         }
     }
 

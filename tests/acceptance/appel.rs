@@ -211,6 +211,11 @@ fn nearly_degenerate_soups() {
     equals_the_judge(Kind::Nearly, 80);
 }
 
+#[test]
+fn cards() {
+    equals_the_judge(Kind::Cards, 250);
+}
+
 /// The pieces of a single loose line, by both methods.
 fn pieces_of_line(line: [DVec3; 2], view: &View) -> [Vec<ExactPiece>; 2] {
     let none: [Vec<DVec3>; 0] = [];

@@ -196,11 +196,19 @@ fn borders_and_fans_have_their_classes() {
 }
 
 #[test]
-fn faces_of_different_objects_share_no_edge() {
+fn faces_of_different_objects_share_no_vertex() {
     let [a, b] = [1.0, -1.0].map(|y| vec![DVec3::ZERO, DVec3::X, dvec3(0.0, y, 0.0)]);
     let apart = mesh(vec![polygons(&[a], &[]), polygons(&[b], &[])]);
+    assert_eq!(apart.vertices().len(), 6);
+    // But what lies on both sides of their seam says whether it is a line.
     let lines = classes(&apart, &orthographic(-DVec3::Z), &options(&LineClass::ALL));
-    assert_eq!(count(&lines, LineClass::Boundary), 6);
+    assert_eq!(count(&lines, LineClass::Boundary), 4);
+    let seams = options(&LineClass::ALL).with_seams(true);
+    let view = orthographic(-DVec3::Z);
+    let prepared = PreparedView::new::<Exact>(&apart, &view, &seams, &Run::default());
+    let prepared = prepared.expect("a view");
+    let lines = prepared.question(true).lines;
+    assert_eq!(lines.iter().filter(|line| line.class == LineClass::Boundary).count(), 6);
 }
 
 #[test]

@@ -9,8 +9,9 @@ use super::scenes::{
     Random, assert_same_picture, cuboid, orthographic, perspective, polygons, rounds,
 };
 use glam::{DVec3, dvec3};
+use std::path::Path;
 use umriss::kernel::predicates::{Exact, Piercing, Point};
-use umriss::model::{FeatureOptions, LineClass, Mesh, Soup, View};
+use umriss::model::{FeatureOptions, LineClass, Mesh, Soup, View, import};
 use umriss::run::Run;
 use umriss::view::{PreparedView, VisibleLines};
 use umriss::visibility::visible_lines;
@@ -214,6 +215,108 @@ fn a_surface_may_pass_through_a_triangle_along_its_own_edge() {
     // Folded to one side it only touches.
     let lines = intersection_lines(vec![floor, fold(inside[0], inside[1], [1.0, 2.0])]);
     assert!(lines.is_empty(), "{lines:?}");
+}
+
+/// A small input, and the lines where its faces cross.
+fn crossings_of(name: &str) -> (Vec<Soup>, Vec<[[f64; 3]; 2]>) {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/field").join(name);
+    let soups = import::read_file(&file, None).expect("a model").objects;
+    let lines = intersection_lines(soups.clone());
+    (soups, lines)
+}
+
+#[test]
+fn surfaces_may_pass_through_one_another_along_edges_of_both() {
+    let (edges, lines) = crossings_of("cross_edges.obj");
+    assert_eq!(lines, [[[0.0, -2.0, 0.0], [0.0, 2.0, 0.0]]]);
+    let (half, _) = crossings_of("cross_half.obj");
+    for (name, view) in views() {
+        assert_same_picture(&draw(edges.clone(), &view), &draw(half.clone(), &view), name);
+    }
+    // The second edge is the diagonal of a quadrilateral.
+    let (_, lines) = crossings_of("cross_diag1.obj");
+    assert_eq!(lines, [[[0.0, -2.0, -2.0], [0.0, 2.0, 2.0]]]);
+}
+
+/// How two faces end in common along a part of the x axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Joint {
+    /// At one edge.
+    Edge,
+    /// At borders that lie on one another in part.
+    Borders,
+    /// At borders of two objects.
+    Seam,
+}
+
+/// Two faces with this in common, towards two sides, as soups of one object or
+/// two, and the ends of what they have in common.
+fn joined(
+    random: &mut Random,
+    joint: Joint,
+    sides: [[f64; 2]; 2],
+) -> (Vec<Vec<Vec<DVec3>>>, [f64; 2]) {
+    let mut ends = || {
+        let low = random.below(4) as f64;
+        [low, low + 2.0 + random.below(3) as f64]
+    };
+    let first = ends();
+    let second = if joint == Joint::Edge { first } else { ends() };
+    let face = |[low, high]: [f64; 2], [y, z]: [f64; 2]| {
+        vec![dvec3(low, 0.0, 0.0), dvec3(high, 0.0, 0.0), dvec3(0.5 * (low + high), y, z)]
+    };
+    let faces = [face(first, sides[0]), face(second, sides[1])];
+    let objects = match joint {
+        Joint::Seam => faces.map(|face| vec![face]).to_vec(),
+        _ => vec![faces.to_vec()],
+    };
+    (objects, [first[0].max(second[0]), first[1].min(second[1])])
+}
+
+#[test]
+fn surfaces_cross_where_their_faces_take_turns_around_a_line() {
+    let mut directions: Vec<[f64; 2]> = Vec::new();
+    for (y, z) in (-2..=2).flat_map(|y| (-2..=2).map(move |z| (y, z))) {
+        // Each direction once.
+        let (y, z): (i32, i32) = (y, z);
+        if y.abs().max(z.abs()) == 2 && (y % 2 != 0 || z % 2 != 0) || y.abs().max(z.abs()) == 1 {
+            directions.push([y.into(), z.into()]);
+        }
+    }
+    directions.sort_by(|a, b| a[1].atan2(a[0]).total_cmp(&b[1].atan2(b[0])));
+    assert_eq!(directions.len(), 16);
+    let joints = [
+        [Joint::Edge, Joint::Edge],
+        [Joint::Edge, Joint::Borders],
+        [Joint::Borders, Joint::Borders],
+        [Joint::Seam, Joint::Edge],
+        [Joint::Edge, Joint::Seam],
+    ];
+    let mut found = [0; 2];
+    for seed in 0..rounds(600) {
+        let mut random = Random(seed);
+        let [first, second] = joints[seed as usize % joints.len()];
+        let mut sides = || [0, 1].map(|_| random.below(16) as usize);
+        let (s, t) = (sides(), sides());
+        // Strictly between two directions, one way around.
+        let between = |[a, b]: [usize; 2], x: usize| {
+            let [x, b] = [x, b].map(|place| (place + 16 - a) % 16);
+            0 < x && x < b
+        };
+        let within = |pair| s.iter().any(|&x| between(pair, x));
+        let take_turns = within(t) && within([t[1], t[0]]);
+        let (one, [a, b]) = joined(&mut random, first, s.map(|i| directions[i]));
+        let (other, [c, d]) = joined(&mut random, second, t.map(|i| directions[i]));
+        let [from, to] = [a.max(c), b.min(d)];
+        let crosses = take_turns && from < to;
+        let soups: Vec<Soup> = one.iter().chain(&other).map(|faces| polygons(faces, &[])).collect();
+        let expected: Vec<_> =
+            crosses.then_some([[from, 0.0, 0.0], [to, 0.0, 0.0]]).into_iter().collect();
+        let what = format!("seed {seed}: {first:?} {s:?} and {second:?} {t:?}");
+        assert_eq!(intersection_lines(soups), expected, "{what}");
+        found[usize::from(crosses)] += 1;
+    }
+    assert!(found.iter().all(|&count| count > 60), "{found:?}");
 }
 
 #[test]

@@ -169,11 +169,12 @@ fn scenes(few: u64, kinds: &[Kind], mut test: impl FnMut(&mut Random, Vec<Soup>,
 
 /// Kinds without bent quadrilaterals, whose triangles depend on which corner
 /// is the first.
-const FLAT: [Kind; 6] =
-    [Kind::General, Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned];
+const FLAT: [Kind; 7] =
+    [Kind::General, Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned, Kind::Cards];
 
 /// Kinds that bear shifts and rotations without rounding.
-const INTEGERS: [Kind; 5] = [Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned];
+const INTEGERS: [Kind; 6] =
+    [Kind::Grid, Kind::Pool, Kind::Boxes, Kind::Planes, Kind::Turned, Kind::Cards];
 
 fn map_points(soups: &[Soup], map: impl Fn(DVec3) -> DVec3) -> Vec<Soup> {
     let mut soups = soups.to_vec();
@@ -313,6 +314,64 @@ fn shuffle(random: &mut Random, soup: &Soup) -> (Soup, Vec<u32>) {
         shuffled.lines.push(line.map(|vertex| new_of_old[vertex as usize]));
     }
     (shuffled, new_of_old)
+}
+
+/// The same object with its faces in another order, turned and wound otherwise.
+fn with_turned_faces(random: &mut Random, soup: &Soup) -> Soup {
+    let mut faces: Vec<Vec<u32>> = (0..soup.faces.len())
+        .map(|face| soup.faces.rings(face).next().expect("an outer ring").to_vec())
+        .collect();
+    random.shuffle(&mut faces);
+    let mut turned = Soup { faces: Default::default(), ..soup.clone() };
+    for mut face in faces {
+        let places = random.below(face.len() as u64) as usize;
+        face.rotate_left(places);
+        if random.one_in(2) {
+            face.reverse();
+        }
+        turned.faces.push(&face, []);
+    }
+    turned
+}
+
+/// The pieces as they are, to the bit, but for the numbers of faces.
+fn without_faces(lines: VisibleLines) -> VisibleLines {
+    let mut lines = VisibleLines { counters: Default::default(), ..lines };
+    for piece in &mut lines.pieces {
+        if let LineSource::Faces(faces) = &mut piece.source {
+            *faces = [0, 0];
+        }
+    }
+    lines
+}
+
+#[cfg(feature = "svg")]
+#[test]
+fn bytes_for_any_order_of_faces_and_winding() {
+    use umriss::drawing::{Drawing, DrawingOptions, Hidden};
+    use umriss::export::{SvgOptions, to_svg};
+    let svg = |lines: &VisibleLines| {
+        let options = DrawingOptions { hidden: Hidden::Dashed, ..DrawingOptions::default() };
+        let drawing = Drawing::new(lines, &options).ok()?;
+        Some(to_svg(&drawing, &SvgOptions::default()).expect("an SVG"))
+    };
+    let mut crossings = 0;
+    scenes(60, &FLAT, |random, soups, view, what| {
+        let before = without_faces(draw(&soups, &view));
+        let is_crossing = |piece: &LinePiece| piece.class == LineClass::Intersection;
+        crossings += before.pieces.iter().filter(|piece| is_crossing(piece)).count();
+        for _ in 0..3 {
+            let turned: Vec<Soup> =
+                soups.iter().map(|soup| with_turned_faces(random, soup)).collect();
+            let after = without_faces(draw(&turned, &view));
+            for (found, expected) in after.pieces.iter().zip(&before.pieces) {
+                assert_eq!(found, expected, "{what}");
+            }
+            assert_eq!(after, before, "{what}");
+            assert_eq!(svg(&after), svg(&before), "{what}");
+        }
+    });
+    assert!(crossings > 500, "only {crossings} pieces of intersection lines");
 }
 
 #[test]

@@ -2,21 +2,23 @@
 //!
 //! Each file takes one promise of the design: the product equals the judge
 //! (`appel`), proposals lose nothing (`crossings`), classes of lines
-//! (`features`), interpenetration (`intersections`), one line where several
+//! (`features`), borders that lie on one another (`borders`), interpenetration (`intersections`), one line where several
 //! coincide (`reduction`), what borders the background (`outline`), what passes in front (`passing`), what hides
 //! nothing (`see_through`), what must not matter (`invariances`, `threads`),
 //! and scenes that break floating-point programs, looked at once and
 //! compared whole ever since (`degenerate`), and what is seen of faces
-//! (`regions`).
+//! (`regions`), also where they lie in one plane (`flats`).
 //!
 //! Random scenes come from seeds, which every failure names. `UMRISS_LONG=1`
 //! runs a hundred times as many.
 
 mod appel;
+mod borders;
 mod crossings;
 #[cfg(all(feature = "json", feature = "png"))]
 mod degenerate;
 mod features;
+mod flats;
 mod intersections;
 mod invariances;
 mod outline;

@@ -12,7 +12,7 @@ use super::scenes::{
 use glam::{DVec2, DVec3, dvec3};
 use umriss::kernel::numbers::Sign;
 use umriss::kernel::predicates::{Carrier, Cut, Exact, Place, Predicates};
-use umriss::model::{FeatureOptions, LineClass, LineOrigin, Mesh, Projection, Soup, View};
+use umriss::model::{FeatureOptions, LineClass, Mesh, Projection, Soup, View};
 use umriss::run::Run;
 use umriss::view::{
     ExactLines, ExactPiece, LinePiece, LineQuestion, OutlineOf, PreparedView, VisibleLines,
@@ -237,12 +237,8 @@ fn check(
     for (index, line) in question.lines.iter().enumerate() {
         assert_eq!(uncut(found.line(index)), uncut(answer.line(index)), "{what}");
         let carrier = question.carrier(line);
-        let object = match line.origin {
-            LineOrigin::Edge(edge) => Some(question.mesh.edges().ends(edge)[0]),
-            LineOrigin::Loose(index) => Some(question.mesh.loose_lines()[index as usize][0]),
-            LineOrigin::Intersection(_) => None,
-        };
-        let object = object.map(|vertex| question.mesh.object_of_vertex(vertex));
+        let vertex = line.origin.names(question.mesh).map(|[vertex, _]| vertex);
+        let object = vertex.map(|vertex| question.mesh.object_of_vertex(vertex));
         let own = |triangle| object == Some(question.mesh.object_of_triangle(triangle));
         for piece in found.line(index) {
             let places = [piece.from, piece.to];

@@ -10,13 +10,14 @@ use super::scenes::{
     Kind, Random, orthographic, perspective, polygons, random_camera, random_soups, rounds,
 };
 use glam::{DVec3, dvec3};
+use std::cmp::Ordering;
 use umriss::kernel::numbers::{Fraction, Sign};
-use umriss::kernel::predicates::{Chart, Exact, Predicates};
+use umriss::kernel::predicates::{Carrier, Chart, Cut, Exact, Place, Predicates};
 use umriss::model::{Camera, FeatureOptions, LineClass, Mesh, Soup, View};
 use umriss::polygon::clipping::{Clipper, FillRule, Operand, Operation, Polygon};
 use umriss::run::Run;
 use umriss::verify::{RegionReport, RegionVerifyOptions, verify_regions};
-use umriss::view::PreparedView;
+use umriss::view::{LineQuestion, PreparedView};
 use umriss::visibility::{
     AppelOptions, RegionFault, RegionOptions, appel, image_regions, reduce, region_lines,
     visible_regions,
@@ -61,6 +62,141 @@ fn a_forgotten_face_is_found_out() {
         check(&soups, &view, fault).is_some_and(|report| !report.is_clean())
     });
     assert!(found.count() > 5);
+}
+
+/// Whether a part of a line between two places is visible, by the definition:
+/// on either side no face is in front that is seen at all. Nothing if a line
+/// lies just behind the cut of a face by the near plane.
+fn is_visible(
+    question: &LineQuestion<'_>,
+    predicates: &Predicates<'_, Exact>,
+    carrier: Carrier,
+    places: [Place; 2],
+) -> Option<bool> {
+    let inside = |cut| predicates.between(carrier, places, cut);
+    let near = question.points.has_near_plane();
+    if near && inside(Cut::Near) != Sign::Positive {
+        return Some(false);
+    }
+    let mut hidden = [false; 2];
+    for (&[a, b, c], &facing) in question.mesh.triangles().iter().zip(question.facing) {
+        if facing.is_zero() || inside(Cut::Face([a, b, c])) != facing {
+            continue;
+        }
+        let mut covers = [true; 2];
+        for (edge, third) in [([a, b], c), ([b, c], a), ([c, a], b)] {
+            match inside(Cut::Silhouette(edge)) * facing {
+                Sign::Positive => {}
+                Sign::Negative => covers = [false; 2],
+                Sign::Zero => {
+                    let left = predicates.image_side(carrier, third) == Sign::Positive;
+                    covers = [covers[0] && left, covers[1] && !left];
+                }
+            }
+        }
+        if near && covers.contains(&true) {
+            // In which sense the ray meets the face beyond the near plane.
+            match inside(Cut::NearLine([a, b, c])) * facing {
+                Sign::Negative => {}
+                Sign::Positive => covers = [false; 2],
+                Sign::Zero => return None,
+            }
+        }
+        hidden = [hidden[0] || covers[0], hidden[1] || covers[1]];
+    }
+    Some(!hidden.contains(&true))
+}
+
+/// All places of a line at which something may begin or end, in their order.
+fn all_places(
+    question: &LineQuestion<'_>,
+    predicates: &Predicates<'_, Exact>,
+    carrier: Carrier,
+) -> Vec<Place> {
+    let near = question.points.has_near_plane();
+    let faces = question.mesh.triangles().iter().flat_map(|&[a, b, c]| {
+        let edges = [[a, b], [b, c], [c, a]].map(Cut::Silhouette);
+        let face = [a, b, c];
+        edges.into_iter().chain([Cut::Face(face)]).chain(near.then_some(Cut::NearLine(face)))
+    });
+    let values = |cut| carrier.ends.map(|end| predicates.value(cut, end));
+    let mut cuts: Vec<_> = faces
+        .chain(near.then_some(Cut::Near))
+        .map(|cut| (cut, values(cut)))
+        .filter(|(_, [a, b])| a.sign.is_opposite(b.sign))
+        .collect();
+    cuts.sort_by(|(a, va), (b, vb)| predicates.order(carrier, (*a, va), (*b, vb)));
+    cuts.dedup_by(|(a, va), (b, vb)| predicates.order(carrier, (*a, va), (*b, vb)).is_eq());
+    let cuts = cuts.into_iter().map(|(cut, _)| Place::Cut(cut));
+    [Place::Start].into_iter().chain(cuts).chain([Place::End]).collect()
+}
+
+#[test]
+fn regions_show_what_is_visible_by_definition_wherever_the_near_plane_is() {
+    let mut compared = 0;
+    for seed in 0..rounds(20) {
+        for kind in Kind::ALL {
+            let mut random = Random(seed);
+            let soups = random_soups(&mut random, kind);
+            let view = random_camera(&mut random, &soups);
+            let Ok(mesh) = Mesh::new(soups, None) else { continue };
+            let run = Run::default();
+            let options = FeatureOptions::default().with_classes(&LineClass::ALL);
+            let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, &run);
+            let prepared = prepared.expect("a view");
+            let question = prepared.question(true);
+            let regions = visible_regions::<Exact>(&question, &RegionOptions::default(), &run);
+            let shown = region_lines::<Exact>(&question, &regions.expect("regions"), &run);
+            let shown = shown.expect("lines");
+            let predicates = Predicates::<Exact>::new(question.points);
+            for (i, line) in question.lines.iter().enumerate() {
+                let carrier = question.carrier(line);
+                if predicates.axis_across(carrier).is_none() {
+                    assert_eq!(shown.line(i), [], "{kind:?} seed {seed} line {i}");
+                    continue;
+                }
+                let order = |a, b| place_order(&predicates, carrier, a, b);
+                let places = all_places(&question, &predicates, carrier);
+                let ends = shown.line(i).iter().flat_map(|piece| [piece.from, piece.to]);
+                for end in ends {
+                    let known = places.iter().any(|place| order(*place, end).is_eq());
+                    assert!(known, "{kind:?} seed {seed} line {i}: {end:?}");
+                }
+                for pair in places.windows(2) {
+                    let [from, to] = [pair[0], pair[1]];
+                    let visible = is_visible(&question, &predicates, carrier, [from, to]);
+                    let found = shown.line(i).iter().any(|piece| {
+                        order(piece.from, from).is_le() && order(to, piece.to).is_le()
+                    });
+                    if let Some(visible) = visible {
+                        let what = format!("{kind:?} seed {seed} line {i} from {from:?} to {to:?}");
+                        assert_eq!(found, visible, "{what}");
+                        compared += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+}
+
+/// Which of two places of a line comes first.
+fn place_order(
+    predicates: &Predicates<'_, Exact>,
+    carrier: Carrier,
+    first: Place,
+    second: Place,
+) -> Ordering {
+    match (first, second) {
+        (Place::Start, Place::Start) | (Place::End, Place::End) => Ordering::Equal,
+        (Place::Start, _) | (_, Place::End) => Ordering::Less,
+        (_, Place::Start) | (Place::End, _) => Ordering::Greater,
+        (Place::Cut(first), Place::Cut(second)) => {
+            let values = |cut| carrier.ends.map(|end| predicates.value(cut, end));
+            let [a, b] = [first, second].map(values);
+            predicates.order(carrier, (first, &a), (second, &b))
+        }
+    }
 }
 
 /// The exact area of polygons in the chart of a view.

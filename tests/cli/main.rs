@@ -8,6 +8,7 @@ mod fixture;
 mod heights;
 mod outlines;
 mod pens;
+mod reading;
 mod refusals;
 mod restyling;
 mod strokes;

@@ -63,6 +63,15 @@ fn command_lines_that_make_no_sense_end_with_two() {
             "--opacity, --pattern: expected --method a-buffer with --show shade\n",
         ),
         ("raster cube.obj -o a.svg", "--output: only splits are drawn as SVG, expected a PNG\n"),
+        (
+            "raster cube.obj -o a.jpg",
+            "--output a.jpg: expected the name of a PNG, or of an SVG for --show splits\n",
+        ),
+        (
+            "raster cube.obj -o a",
+            "--output a: expected the name of a PNG, or of an SVG for --show splits\n",
+        ),
+        ("verify cube.obj --picture a.jpg", "--picture a.jpg: expected the name of a PNG\n"),
         ("draw cube.obj -o a.svg -o a.svg", "--output a.svg is given twice\n"),
         ("draw cube.obj -o -", "--output - needs --format to say what to write\n"),
         ("draw - - -o a.svg", "- is given twice, but standard input can be read only once\n"),
@@ -177,7 +186,7 @@ fn bad_drawings_are_named_with_their_line() {
     folder.fails(
         1,
         "draw cut.json -o a.svg",
-        "umriss: cut.json:2: column 8: EOF while parsing a value\n",
+        "umriss: cut.json:2: column 8: the text ends here, expected a value\n",
     );
     folder.fails(
         1,
@@ -195,8 +204,8 @@ fn bad_camera_files_are_named_with_their_line() {
     folder.fails(
         1,
         "draw cube.obj -o a.svg --camera kind.json",
-        "umriss: kind.json:2: column 17: unknown variant `fisheye`, expected `orthographic` or \
-         `perspective`\n",
+        "umriss: kind.json:2: column 17: the word 'fisheye' is not known, expected \
+         'orthographic' or 'perspective'\n",
     );
     folder.fails(
         1,

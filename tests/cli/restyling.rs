@@ -28,7 +28,7 @@ fn what_a_drawing_has_settled_is_not_asked_again() {
     folder.succeeds("draw cube.obj -o cube.json");
     for (flags, name) in [
         ("--view top", "the camera"),
-        ("--edges contour", "--crease and --edges"),
+        ("--edges contour", "--crease, --intersections, --seams and --edges"),
         ("--method appel", "--method"),
         ("--weld 1", "--weld"),
         ("--up-axis y", "--up-axis"),

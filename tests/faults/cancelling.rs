@@ -300,7 +300,7 @@ fn faces() {
         (Painter::List, "painter-list"),
         (Painter::Tree, "painter-tree"),
     ] {
-        let options = PainterOptions { painter, fault: None };
+        let options = PainterOptions { painter, ..PainterOptions::default() };
         cancel_in(stage, |run| match paint_order::<Exact>(&question, &options, run) {
             Ok(_) => None,
             Err(PainterError::Cancelled(cancelled)) => Some(cancelled),

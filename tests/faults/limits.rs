@@ -111,7 +111,7 @@ fn regions_and_painting_orders_ask_for_memory() {
         (Painter::List, "painter-list", 400_000),
         (Painter::Tree, "painter-tree", 60_000),
     ] {
-        let options = PainterOptions { painter, fault: None };
+        let options = PainterOptions { painter, ..PainterOptions::default() };
         let stopped = paint_order::<Exact>(&question, &options, &memory(few));
         match stopped {
             Err(PainterError::Cancelled(Cancelled::TooMuchMemory { stage, .. })) => {

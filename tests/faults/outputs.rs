@@ -118,6 +118,100 @@ fn a_folder_that_nobody_may_write_to_is_a_failure_in_every_format() {
 }
 
 #[test]
+fn a_read_only_output_stays_as_it_is_in_every_format() {
+    let folder = folder();
+    for (command, extension) in WRITERS {
+        let output = format!("kept.{extension}");
+        let path = folder.path().join(&output);
+        std::fs::write(&path, "kept").unwrap();
+        let mut permissions = path.metadata().unwrap().permissions();
+        permissions.set_readonly(true);
+        std::fs::set_permissions(&path, permissions.clone()).unwrap();
+        let before = names(folder.path());
+        let (code, errors) = run(folder.path(), command, &output);
+        let expected = format!("umriss: {output}: permission denied\n");
+        assert_eq!((code, errors), (Some(1), expected), "{command}");
+        assert_eq!(std::fs::read(&path).unwrap(), b"kept", "{command}");
+        assert_eq!(names(folder.path()), before, "{command}");
+        #[cfg(unix)]
+        std::os::unix::fs::PermissionsExt::set_mode(&mut permissions, 0o644);
+        std::fs::set_permissions(&path, permissions).unwrap();
+        std::fs::remove_file(&path).unwrap();
+    }
+}
+
+/// Links of both kinds, and other ways of writing a path.
+#[cfg(unix)]
+#[test]
+fn an_output_that_is_read_is_refused() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::copy(path("cube.obj"), path("cube.svg")).unwrap();
+    std::fs::write(path("eye.json"), r#"{"kind":"perspective","eye":[4,3,2],"target":[0,0,0]}"#)
+        .unwrap();
+    std::fs::write(path("table.csv"), "1,2\n3,5\n").unwrap();
+    std::fs::write(path("style.toml"), "").unwrap();
+    for (input, links) in [
+        ("cube.obj", ["cube-soft.svg", "cube-hard.svg", "cube-soft.png", "cube-hard.png"]),
+        ("a.geojson", ["a-soft.svg", "a-hard.svg", "a-soft.geojson", "a-hard.geojson"]),
+        ("table.csv", ["table-soft.svg", "table-hard.svg", "table-soft.png", "table-hard.png"]),
+        ("style.toml", ["style-soft.svg", "style-hard.svg", "style-soft.png", "style-hard.png"]),
+    ] {
+        for link in links {
+            match link.contains("soft") {
+                true => std::os::unix::fs::symlink(input, path(link)).unwrap(),
+                false => std::fs::hard_link(path(input), path(link)).unwrap(),
+            }
+        }
+    }
+    let contents = || {
+        let read = |name: &std::ffi::OsString| std::fs::read(folder.path().join(name)).unwrap();
+        let names = names(folder.path());
+        names.iter().map(|name| (name.clone(), read(&name.into()))).collect::<Vec<_>>()
+    };
+    let before = contents();
+    for (command, output, input) in [
+        ("draw drawing.json -o", "drawing.json", "drawing.json"),
+        ("draw drawing.json -o", "./drawing.json", "drawing.json"),
+        ("draw cube.obj drawing.json -o", "drawing.json", "drawing.json"),
+        ("draw cube.obj -o", "cube-soft.svg", "cube.obj"),
+        ("draw ./cube.obj -o b.svg -o", "cube-hard.svg", "./cube.obj"),
+        ("draw --input-format obj cube.svg -o", "cube.svg", "cube.svg"),
+        ("draw cube.obj --camera eye.json -o", "eye.json", "eye.json"),
+        ("draw cube.obj --style style.toml -o", "style-soft.svg", "style.toml"),
+        ("surface table.csv -o", "table-hard.svg", "table.csv"),
+        ("surface table.csv --camera eye.json -o", "eye.json", "eye.json"),
+        ("raster cube.obj -o", "cube-soft.png", "cube.obj"),
+        ("raster cube.obj -o", "cube-hard.png", "cube.obj"),
+        ("clip a.geojson --op union -o", "a.geojson", "a.geojson"),
+        ("clip a.geojson --op union -o", "a-hard.svg", "a.geojson"),
+        ("clip a.geojson --op union -o", "a-soft.geojson", "a.geojson"),
+        ("verify cube.obj --picture", "cube-hard.png", "cube.obj"),
+    ] {
+        let flag = if command.ends_with("-o") { "--output" } else { "--picture" };
+        let (code, errors) = run(folder.path(), command, output);
+        let expected = format!(
+            "umriss: {flag} {output} would replace {input}, which is read: expected another file\n"
+        );
+        assert_eq!((code, errors), (Some(2), expected), "{command}");
+        assert_eq!(contents(), before, "{command}");
+    }
+    // Twice the same, by a link or another way of writing it.
+    std::fs::write(path("b.svg"), "").unwrap();
+    std::os::unix::fs::symlink("b.svg", path("c.svg")).unwrap();
+    for (first, second) in [("b.svg", "c.svg"), ("new.svg", "./new.svg")] {
+        let (code, errors) = run(folder.path(), &format!("draw cube.obj -o {first} -o"), second);
+        let expected = format!(
+            "umriss: --output {second} is the same file as --output {first}: expected another one\n"
+        );
+        assert_eq!((code, errors), (Some(2), expected));
+    }
+    // What is beside an input is no input.
+    let (code, errors) = run(folder.path(), "draw cube.obj -o", "eye.json");
+    assert_eq!((code, &*errors), (Some(0), ""));
+}
+
+#[test]
 fn a_reader_that_reads_nothing_is_no_failure() {
     let folder = folder();
     for command in [

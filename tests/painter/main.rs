@@ -1,12 +1,14 @@
 //! The painter's order, three ways, against brute force that knows none.
 //!
-//! `oracle` asks integers what is seen at a point; `whole_check` proves an
+//! `oracle` asks integers what is seen at a point; `pictures` asks rays what
+//! the page shows; `whole_check` proves an
 //! order pair by pair, without a point; `scenes` builds the scenes whose
 //! number of cuts is known.
 
 #![allow(clippy::unwrap_used)]
 
 mod oracle;
+mod pictures;
 mod scenes;
 mod soups;
 mod views;
@@ -33,8 +35,8 @@ pub(crate) fn with_question<T>(
 /// The order by one of the ways, and what was counted.
 pub(crate) fn painted(question: &LineQuestion<'_>, painter: Painter) -> (PaintOrder, Counters) {
     let run = Run::default();
-    let order =
-        paint_order::<Exact>(question, &PainterOptions { painter, fault: None }, &run).unwrap();
+    let options = PainterOptions { painter, ..PainterOptions::default() };
+    let order = paint_order::<Exact>(question, &options, &run).unwrap();
     (order, run.counters())
 }
 

@@ -266,7 +266,7 @@ fn a_perspective_without_a_near_plane_is_refused() {
     for painter in Painter::ALL {
         let found = umriss::visibility::paint_order::<umriss::kernel::predicates::Exact>(
             &prepared.as_ref().unwrap().question(false),
-            &PainterOptions { painter, fault: None },
+            &PainterOptions { painter, ..PainterOptions::default() },
             &run,
         );
         assert_eq!(found, Err(umriss::visibility::PainterError::NoNearPlane));

@@ -22,7 +22,7 @@ const SHAPES: [&[[i32; 2]]; 4] = [
     &[[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], [1, 1], [1, 2], [0, 2]],
 ];
 
-fn face() -> impl Strategy<Value = Vec<[f64; 3]>> {
+pub(crate) fn face() -> impl Strategy<Value = Vec<[f64; 3]>> {
     (0..SHAPES.len(), coordinate(), coordinate(), coordinate()).prop_map(|(shape, p, u, v)| {
         let corner = |&[i, j]: &[i32; 2]| {
             [0, 1, 2].map(|axis| f64::from(p[axis] + i * u[axis] + j * v[axis]))
@@ -33,7 +33,7 @@ fn face() -> impl Strategy<Value = Vec<[f64; 3]>> {
 
 /// Parallel rays along any direction of the grid, or an eye above the scene
 /// or within it, with a near plane that cuts faces.
-fn camera() -> impl Strategy<Value = Camera> {
+pub(crate) fn camera() -> impl Strategy<Value = Camera> {
     let parallel = coordinate().prop_map(|forward| {
         let forward = if forward == [0; 3] { [0, 0, -1] } else { forward };
         towards(forward.map(f64::from))

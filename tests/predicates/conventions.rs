@@ -226,6 +226,30 @@ fn fold_is_what_lacks_to_a_flat_angle() {
 }
 
 #[test]
+fn planes_cross_at_the_lesser_angle_however_their_faces_are_wound() {
+    let angle = |degrees: f64, [y, z]: [f64; 2], turned: bool| {
+        let vertices = [DVec3::ZERO, DVec3::X, DVec3::Y, dvec3(9.0, 0.0, 0.0), dvec3(5.0, y, z)];
+        let points = Points::new(&vertices, ABOVE, None);
+        let predicates = Predicates::<Exact>::new(&points);
+        let faces = [if turned { [1, 0, 2] } else { [0, 1, 2] }, [4, 0, 3]];
+        Fold::of_planes(&predicates, faces, FoldThreshold::from_degrees(degrees)).exceeds
+    };
+    for turned in [false, true] {
+        // The second face leans towards the first, and away from it.
+        for side in [3.0, -3.0] {
+            assert!(angle(44.9, [side, 3.0], turned) && !angle(45.1, [side, -3.0], turned));
+            assert!(
+                angle(26.5, [2.0 * side, 3.0], turned) && !angle(26.6, [2.0 * side, 3.0], turned)
+            );
+        }
+        assert!(angle(89.9, [0.0, 1.0], turned), "a right angle");
+        assert!(!angle(90.0, [0.0, 1.0], turned) && !angle(120.0, [0.0, 1.0], turned));
+        assert!(angle(0.0, [1.0, 1e-9], turned), "any angle exceeds zero");
+        assert!(!angle(0.0, [1.0, 0.0], turned), "one plane");
+    }
+}
+
+#[test]
 fn zeros_of_either_sign_are_one_position() {
     let points = Points::new(&[dvec3(0.0, 1.0, 0.0), dvec3(-0.0, 1.0, -0.0)], ABOVE, None);
     assert!(points.coincide(0, 1));

@@ -13,20 +13,20 @@ use umriss::kernel::numbers::{BigInteger, Ring, Sign};
 
 /// Points, and cells as counterclockwise cycles of them.
 #[derive(Debug, Clone)]
-pub struct Mosaic {
+pub(crate) struct Mosaic {
     pub points: Vec<DVec2>,
     pub cells: Vec<Vec<usize>>,
 }
 
 /// Edges with a direction, and how often they stand there.
-pub type Chain = BTreeMap<[usize; 2], i32>;
+pub(crate) type Chain = BTreeMap<[usize; 2], i32>;
 
 /// Bits of all that random choices are made of.
 #[derive(Debug, Clone)]
-pub struct Chance(pub u64);
+pub(crate) struct Chance(pub(crate) u64);
 
 impl Chance {
-    pub fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         // Splitmix (Steele, Lea and Flood 2014).
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -37,7 +37,7 @@ impl Chance {
 }
 
 /// Rectangles between these coordinates.
-pub fn rectangles(mut xs: Vec<f64>, mut ys: Vec<f64>) -> Mosaic {
+pub(crate) fn rectangles(mut xs: Vec<f64>, mut ys: Vec<f64>) -> Mosaic {
     for list in [&mut xs, &mut ys] {
         list.sort_by(f64::total_cmp);
         list.dedup();
@@ -54,7 +54,7 @@ pub fn rectangles(mut xs: Vec<f64>, mut ys: Vec<f64>) -> Mosaic {
 
 /// Triangles: a grid of squares whose corners are moved a little, each cut
 /// along one diagonal or the other.
-pub fn triangles(side: usize, chance: &mut Chance) -> Mosaic {
+pub(crate) fn triangles(side: usize, chance: &mut Chance) -> Mosaic {
     let width = side + 1;
     let mut shaken = |k: usize| 8.0 * k as f64 + chance.below(5) as f64 - 2.0;
     let points: Vec<DVec2> =
@@ -71,7 +71,7 @@ pub fn triangles(side: usize, chance: &mut Chance) -> Mosaic {
 }
 
 /// Adds an edge, or cancels its opposite.
-pub fn add(chain: &mut Chain, [a, b]: [usize; 2]) {
+pub(crate) fn add(chain: &mut Chain, [a, b]: [usize; 2]) {
     if let Some(count) = chain.get_mut(&[b, a]) {
         *count -= 1;
         if *count == 0 {
@@ -83,13 +83,13 @@ pub fn add(chain: &mut Chain, [a, b]: [usize; 2]) {
 }
 
 /// The edges of a ring.
-pub fn edges_of<T: Copy>(ring: &[T]) -> impl Iterator<Item = [T; 2]> + '_ {
+pub(crate) fn edges_of<T: Copy>(ring: &[T]) -> impl Iterator<Item = [T; 2]> + '_ {
     ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
 }
 
 impl Mosaic {
     /// The border of some cells, which lie on its left.
-    pub fn border(&self, cells: &BTreeSet<usize>) -> Chain {
+    pub(crate) fn border(&self, cells: &BTreeSet<usize>) -> Chain {
         let mut chain = Chain::new();
         for &cell in cells {
             edges_of(&self.cells[cell]).for_each(|edge| add(&mut chain, edge));
@@ -106,7 +106,7 @@ impl Mosaic {
 
     /// A closed walk along each edge of a border once, and along others
     /// there and back: bridges between its parts, and some spikes.
-    pub fn walk(&self, border: &Chain, chance: &mut Chance) -> Vec<usize> {
+    pub(crate) fn walk(&self, border: &Chain, chance: &mut Chance) -> Vec<usize> {
         let mut around: Vec<Vec<usize>> = vec![Vec::new(); self.points.len()];
         let mut join = |[a, b]: [usize; 2]| {
             around[a].push(b);
@@ -156,7 +156,7 @@ impl Mosaic {
 
     /// The corners of a walk, less some at which it goes straight on; of
     /// visits to one point one remains, for two of them may cross there.
-    pub fn without_some_straight(&self, walk: &[usize], chance: &mut Chance) -> Vec<usize> {
+    pub(crate) fn without_some_straight(&self, walk: &[usize], chance: &mut Chance) -> Vec<usize> {
         let mut kept = walk.to_vec();
         let mut visits = vec![0; self.points.len()];
         walk.iter().for_each(|&point| visits[point] += 1);
@@ -197,7 +197,7 @@ impl Mosaic {
 
     /// Whether triangles, given by their corners, turn one way and have the
     /// border that is expected.
-    pub fn judge(&self, triangles: &[[usize; 3]], expected: &Chain) -> Result<(), String> {
+    pub(crate) fn judge(&self, triangles: &[[usize; 3]], expected: &Chain) -> Result<(), String> {
         let turn_of = |corners: &[usize; 3]| turn(corners.map(|i| self.points[i]));
         let first = triangles.first().map_or(Sign::Zero, turn_of);
         let mut chain = Chain::new();
@@ -246,7 +246,7 @@ fn is_between(a: DVec2, b: DVec2, c: DVec2) -> bool {
 }
 
 /// Which way three points turn, by integers of any size.
-pub fn turn(corners: [DVec2; 3]) -> Sign {
+pub(crate) fn turn(corners: [DVec2; 3]) -> Sign {
     const LEAST: i32 = -1074;
     let read = |x: f64| BigInteger::read(x, LEAST);
     let [[ax, ay], [bx, by], [cx, cy]] = corners.map(|p| [read(p.x), read(p.y)]);
@@ -257,7 +257,7 @@ pub fn turn(corners: [DVec2; 3]) -> Sign {
 
 /// A plane in space, for points of any size: coordinates change places, and
 /// the one left out is constant or one of the others again.
-pub fn lift(p: DVec2, axis: usize, third: usize) -> DVec3 {
+pub(crate) fn lift(p: DVec2, axis: usize, third: usize) -> DVec3 {
     let mut corner = [0.0; 3];
     corner[(axis + 1) % 3] = p.x;
     corner[(axis + 2) % 3] = p.y;
@@ -266,7 +266,7 @@ pub fn lift(p: DVec2, axis: usize, third: usize) -> DVec3 {
 }
 
 /// Coordinates of all exponents.
-pub fn wild() -> impl Strategy<Value = f64> {
+pub(crate) fn wild() -> impl Strategy<Value = f64> {
     prop_oneof![
         2 => (-9..=9_i32).prop_map(f64::from),
         2 => (-1074..1023_i32, 1.0..2.0_f64, any::<bool>()).prop_map(|(exponent, m, negative)| {

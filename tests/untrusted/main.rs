@@ -8,8 +8,12 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[cfg(feature = "gltf")]
+mod files;
 #[cfg(all(feature = "ply", feature = "gltf", feature = "json", feature = "png"))]
 mod lies;
+#[cfg(all(feature = "gltf", feature = "png"))]
+mod limits;
 mod nesting;
 mod numbers;
 #[cfg(all(feature = "ply", feature = "gltf", feature = "json", feature = "png"))]
@@ -45,7 +49,8 @@ fn read(kind: Kind, bytes: &[u8]) -> Result<(), String> {
             model(bytes, Some(format))
         }
         Kind::Heights(format) => {
-            let heights = read_heights_bytes("file", bytes, Some(format));
+            let read = read_heights_bytes("file", bytes, Some(format));
+            let heights = read.map(|found| found.heights);
             let sound = |heights: umriss::model::surface::Heights| {
                 assert_eq!(heights.values().len(), heights.xs().len() * heights.zs().len());
             };

@@ -68,7 +68,8 @@ fn number_in(kind: Kind, text: &str) -> f64 {
             imported.objects[0].vertices[0].x
         }
         Kind::Heights(format) => {
-            let heights = read_heights_bytes("file", text.as_bytes(), Some(format)).unwrap();
+            let found = read_heights_bytes("file", text.as_bytes(), Some(format)).unwrap();
+            let heights = found.heights;
             // Rows are kept in the order of z, whichever that is in the file.
             let corners = [heights.values()[0], heights.values()[2]];
             corners.into_iter().find(|&value| value != 2.0).unwrap()

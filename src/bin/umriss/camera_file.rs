@@ -2,10 +2,12 @@
 
 use crate::camera_flags::DEFAULT_FOV;
 use crate::failure::Failure;
+use crate::input::read_settings;
 use glam::DVec3;
 use serde::Deserialize;
 use std::path::Path;
 use umriss::model::Camera;
+use umriss::model::import::json_message;
 
 /// A camera as it stands in a file.
 #[derive(Deserialize)]
@@ -33,11 +35,10 @@ fn z() -> [f64; 3] {
 /// Reads a camera; `near` is the near plane asked for on the command line.
 pub(crate) fn read_camera(file: &Path, near: Option<f64>) -> Result<Camera, Failure> {
     let name = file.display();
-    let bytes = std::fs::read(file)
+    let bytes = read_settings(file)
         .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
     let text: CameraText = serde_json::from_slice(&bytes).map_err(|error| {
-        let message = error.to_string();
-        let message = message.split(" at line ").next().unwrap_or_default();
+        let message = json_message(&error, "a camera");
         Failure::failed(format!("{name}:{}: column {}: {message}", error.line(), error.column()))
     })?;
     let [eye, target, up] = [text.eye, text.target, text.up].map(DVec3::from_array);

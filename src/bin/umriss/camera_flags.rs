@@ -38,7 +38,7 @@ pub(crate) struct CameraFlags {
     /// A camera as JSON: {"kind": "perspective" or "orthographic", "eye": [x, y, z],
     /// "target": [x, y, z], "up": [x, y, z], "fov_y_deg": 45}
     #[arg(long, value_name = "FILE.json", group = "camera-kind")]
-    camera: Option<PathBuf>,
+    pub(crate) camera: Option<PathBuf>,
     /// Perspective: cut lines this far in front of the eye [default: a thousandth of the distance
     /// of the target]
     #[arg(long, value_name = "D", conflicts_with_all = ["view", "direction"],

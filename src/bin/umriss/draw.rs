@@ -103,11 +103,14 @@ pub(crate) struct Draw {
 impl Draw {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let outputs = self.outputs.plan()?;
+        let flags = [&self.camera.camera, &self.style.style, &self.plotter.devices];
+        let inputs = self.models.iter().chain(flags.into_iter().flatten());
+        let outputs = self.outputs.plan(inputs.map(PathBuf::as_path))?;
         let plotter = self.plotter.plotter()?;
         self.refuse_what_is_not_painted(&outputs)?;
         let all_lines = outputs.any(OutputFormat::Json);
         let computed = self.session.run(|run| self.draw(&plotter, all_lines, run))?;
+        computed.tell_if_empty(&self.session);
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 
@@ -246,7 +249,8 @@ impl Draw {
         }
         let prepared = exact::prepare_with_wishes(&scene.mesh, &view, &wishes, run)?;
         let question = prepared.question(false);
-        if question.lines.iter().any(|line| !matches!(line.origin, LineOrigin::Edge(_))) {
+        let is_of_faces = |origin| matches!(origin, LineOrigin::Edge(_) | LineOrigin::Stretch(_));
+        if !question.lines.iter().all(|line| is_of_faces(line.origin)) {
             self.session.note(paint::LINES_LEFT_OUT);
         }
         let notes = DrawingNotes { unit: Some(scene.unit), ..DrawingNotes::default() };
@@ -270,7 +274,7 @@ impl Draw {
         let flag = self
             .style
             .of_lines_only()
-            .or(self.strokes.any().then_some("--join, --simplify, --fit and --min-length"))
+            .or(self.strokes.any().then_some("--merge, --join, --simplify, --fit and --min-length"))
             .or(self.surfaces.hatches().then_some("--hatch"))
             .or(self.pen.any().then_some("--order and --pen-width"));
         match flag {
@@ -283,7 +287,7 @@ impl Draw {
     fn refuse_flags_of_models(&self) -> Result<(), Failure> {
         let settled = [
             ("the camera", self.camera.any()),
-            ("--crease and --edges", self.lines.any()),
+            ("--crease, --intersections, --seams and --edges", self.lines.any()),
             ("--method", self.method.is_some()),
             ("--outline-of", self.style.outline_of.is_some()),
             ("objects", self.objects.any()),

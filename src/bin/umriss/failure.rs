@@ -85,6 +85,7 @@ impl From<ImportError> for Failure {
     fn from(error: ImportError) -> Self {
         match error {
             ImportError::Cancelled(error) => Failure::from(error),
+            ImportError::Outside { .. } => Failure::failed(format!("{error}, or --allow-outside")),
             _ => Failure::Failed(error.to_string()),
         }
     }

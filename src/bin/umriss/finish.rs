@@ -2,6 +2,7 @@
 //! a caption.
 
 use crate::failure::Failure;
+use crate::input::read_settings;
 use clap::Args;
 use glam::DVec2;
 use std::path::PathBuf;
@@ -25,7 +26,7 @@ pub(crate) struct FinishFlags {
     caption: Option<String>,
     /// Font file of the caption: TrueType or OpenType
     #[arg(long, value_name = "FILE", requires = "caption")]
-    font: Option<PathBuf>,
+    pub(crate) font: Option<PathBuf>,
     /// Pixels to the em of the caption
     #[arg(long, value_name = "PIXELS", default_value_t = 16.0, value_parser = parse_size)]
     caption_size: f64,
@@ -66,7 +67,7 @@ impl FinishFlags {
         match (&self.caption, &self.font) {
             (Some(caption), Some(path)) => {
                 let name = path.display();
-                let bytes = std::fs::read(path)
+                let bytes = read_settings(path)
                     .map_err(|error| Failure::failed(format!("{name}: {error}")))?;
                 let font = Font::new(&bytes)
                     .map_err(|error| Failure::failed(format!("{name}: {error}")))?;

@@ -1,13 +1,15 @@
 //! Flags that say what a surface is and which of its lines are drawn.
 
 use crate::failure::Failure;
+use crate::input::{STANDARD_INPUT, read_input};
 use crate::model_flags::UnitName;
 use crate::session::RunFlags;
 use clap::{Args, ValueEnum};
-use std::io::{Read, stdin};
 use std::path::Path;
-use umriss::model::import::{HeightFormat, read_heights, read_heights_bytes};
-use umriss::model::surface::{CurveOptions, Heights, Surface, SurfaceError};
+use umriss::model::import::{
+    HeightFormat, ImportedHeights, read_heights_bytes_within, read_heights_within,
+};
+use umriss::model::surface::{CurveOptions, Heights, Surface, SurfaceError, SurfaceWithHoles};
 use umriss::run::Run;
 
 /// Points along an axis, unless a number is given.
@@ -49,11 +51,12 @@ pub(crate) struct GridFlags {
     /// Leave out the curves at the borders, where --curves and --every do not ask for them
     #[arg(long)]
     no_borders: bool,
-    /// Missing heights: refuse them, or cut the grid to its largest rectangle without any
+    /// Missing heights: refuse them, cut the grid to its largest rectangle without any, or draw
+    /// holes where they are
     #[arg(long, value_enum, value_name = "HOW", default_value_t = Missing::Refuse)]
     missing: Missing,
-    /// Format of a file of heights: csv, asc (ESRI ASCII grid) or png [default: by content, then
-    /// extension]
+    /// Format of files of heights: csv, asc (ESRI ASCII grid) or png [default: by content, then
+    /// extension; txt is csv]
     #[arg(long, value_name = "F", value_parser = parse_format)]
     input_format: Option<HeightFormat>,
     /// Unit of the numbers [default: mm]
@@ -74,6 +77,19 @@ enum Family {
 enum Missing {
     Refuse,
     Cut,
+    Hole,
+}
+
+/// A surface and what it is called.
+pub(crate) struct Named {
+    pub(crate) name: String,
+    pub(crate) ground: Ground,
+}
+
+/// A surface, wherever there are heights.
+pub(crate) enum Ground {
+    Whole(Surface),
+    WithHoles(SurfaceWithHoles),
 }
 
 impl GridFlags {
@@ -88,34 +104,51 @@ impl GridFlags {
         }
     }
 
-    /// The surface of an expression or a file, and its name.
-    pub(crate) fn surface(
+    /// The surfaces of expressions and files.
+    pub(crate) fn surfaces(
         &self,
-        source: &str,
+        sources: &[String],
         session: &RunFlags,
         run: &Run<'_>,
-    ) -> Result<(Surface, String), Failure> {
-        let (heights, name, file) = match self.file(source) {
-            Some(heights) => {
+    ) -> Result<Vec<Named>, Failure> {
+        if sources.iter().filter(|source| *source == "-").count() > 1 {
+            let message = "- is given twice, but standard input can be read only once";
+            return Err(Failure::usage(message));
+        }
+        let has_points = self.nx.is_some() || self.nz.is_some();
+        if has_points && sources.iter().all(|source| self.is_file(source)) {
+            return Err(Failure::usage(
+                "--nx and --nz: a file has its own points, expected an expression or neither",
+            ));
+        }
+        sources.iter().map(|source| self.surface(source, session, run)).collect()
+    }
+
+    fn surface(&self, source: &str, session: &RunFlags, run: &Run<'_>) -> Result<Named, Failure> {
+        let (heights, name, file) = match self.is_file(source) {
+            true => {
                 let stem = Path::new(source).file_stem();
                 let name = stem.map_or("stdin".into(), |stem| stem.to_string_lossy().into_owned());
-                (heights?, if source == "-" { "stdin".to_owned() } else { name }, Some(source))
+                let name = if source == "-" { "stdin".to_owned() } else { name };
+                (self.read(source, session, run)?, name, Some(source))
             }
-            None => (self.expression(source, run)?, source.to_owned(), None),
+            false => (self.expression(source, run)?, source.to_owned(), None),
         };
         let place = |error: SurfaceError| match (file, &error) {
-            (Some(file), SurfaceError::Missing { .. } | SurfaceError::NothingLeft) => {
-                Failure::failed(format!("{file}: {}", advised(&error)))
-            }
-            (None, SurfaceError::Missing { .. } | SurfaceError::NothingLeft) => {
-                Failure::failed(format!("'{source}': {}", advised(&error)))
-            }
+            (
+                Some(file),
+                SurfaceError::Missing { .. } | SurfaceError::NothingLeft | SurfaceError::NoCells,
+            ) => Failure::failed(format!("{file}: {}", advised(&error))),
+            (
+                None,
+                SurfaceError::Missing { .. } | SurfaceError::NothingLeft | SurfaceError::NoCells,
+            ) => Failure::failed(format!("'{source}': {}", advised(&error))),
             _ => Failure::usage(error.to_string()),
         };
         let heights = heights.scaled(self.z_scale).map_err(place)?;
-        let heights = match self.missing {
-            Missing::Cut if heights.missing() > 0 => {
-                let (missing, points) = (heights.missing(), heights.values().len());
+        let (missing, points) = (heights.missing(), heights.values().len());
+        let ground = match self.missing {
+            Missing::Cut if missing > 0 => {
                 let (left, cut) = heights.cut_to_complete().map_err(place)?;
                 session.note(&format!(
                     "{source}: {missing} of {points} heights are missing: cut to columns {} to {}, \
@@ -125,41 +158,48 @@ impl GridFlags {
                     cut.rows.start + 1,
                     cut.rows.end
                 ));
-                left
+                Ground::Whole(Surface::new(left, self.base).map_err(place)?)
             }
-            _ => heights,
+            Missing::Hole if missing > 0 => {
+                session.note(&format!(
+                    "{source}: {missing} of {points} heights are missing: drawn with holes"
+                ));
+                Ground::WithHoles(SurfaceWithHoles::new(heights, self.base).map_err(place)?)
+            }
+            _ => Ground::Whole(Surface::new(heights, self.base).map_err(place)?),
         };
-        Ok((Surface::new(heights, self.base).map_err(place)?, name))
+        Ok(Named { name, ground })
     }
 
-    /// The heights of a file, if the source is one.
-    fn file(&self, source: &str) -> Option<Result<Heights, Failure>> {
+    /// Whether a source is a file, else it is an expression.
+    fn is_file(&self, source: &str) -> bool {
         let path = Path::new(source);
         let known = HeightFormat::from_extension(path).is_some();
-        if !(source == "-" || known || self.input_format.is_some() || path.is_file()) {
-            return None;
-        }
-        Some(self.read(source))
+        source == "-" || known || self.input_format.is_some() || path.is_file()
     }
 
-    fn read(&self, source: &str) -> Result<Heights, Failure> {
-        if self.nx.is_some() || self.nz.is_some() {
-            return Err(Failure::usage(
-                "--nx and --nz: a file has its own points, expected an expression or neither",
-            ));
-        }
-        let heights = if source == "-" {
-            let (name, mut bytes) = ("<stdin>", Vec::new());
-            match stdin().lock().read_to_end(&mut bytes) {
-                Ok(_) => read_heights_bytes(name, &bytes, self.input_format)?,
-                Err(error) => {
-                    return Err(Failure::failed(format!("{name}: cannot be read: {error}")));
-                }
-            }
+    /// The heights of a file; says what is not as it looks.
+    fn read(&self, source: &str, session: &RunFlags, run: &Run<'_>) -> Result<Heights, Failure> {
+        let found = if source == "-" {
+            let bytes = read_input(None, run)?;
+            let found = read_heights_bytes_within(STANDARD_INPUT, &bytes, self.input_format, run)?;
+            run.give_back(bytes.capacity() as u64);
+            found
         } else {
-            read_heights(Path::new(source), self.input_format)?
+            read_heights_within(Path::new(source), self.input_format, run)?
         };
+        let ImportedHeights { heights, warnings, has_places } = found;
+        for warning in &warnings {
+            session.note(&format!("{source}: {warning}"));
+        }
         if self.x.is_none() && self.z.is_none() {
+            let is_as_read = has_places && self.z_scale == 1.0;
+            if let Some((factor, latitude)) = heights.z_factor_of_degrees().filter(|_| is_as_read) {
+                session.note(&format!(
+                    "{source}: places look like degrees, heights like metres: --z-scale {factor:.4e} \
+                     looks right at latitude {latitude:.1}"
+                ));
+            }
             return Ok(heights);
         }
         let spread = |axis, range: Option<[f64; 2]>, own: &[f64]| match range {
@@ -185,7 +225,7 @@ impl GridFlags {
 /// What to do about missing heights.
 fn advised(error: &SurfaceError) -> String {
     match error {
-        SurfaceError::Missing { .. } => format!("{error}, or --missing cut"),
+        SurfaceError::Missing { .. } => format!("{error}, or --missing cut or hole"),
         _ => error.to_string(),
     }
 }

@@ -88,6 +88,10 @@ struct ObjectFacts {
 #[derive(Serialize)]
 struct EdgeFacts {
     boundary: usize,
+    /// Stretches of boundary edges that lie on others of their object.
+    matched: usize,
+    /// Stretches of boundary edges that two objects have in common.
+    seams: usize,
     non_manifold: usize,
     crease: usize,
     smooth: usize,
@@ -127,6 +131,8 @@ impl Facts {
             closed: topology.is_closed(),
             edges: EdgeFacts {
                 boundary: topology.boundary_edges,
+                matched: topology.matched_borders,
+                seams: topology.seams,
                 non_manifold: topology.non_manifold_edges,
                 crease: topology.crease_edges,
                 smooth: topology.smooth_edges,
@@ -167,6 +173,8 @@ impl Facts {
         table.row("surface", closed, "");
         table.row("components", self.components, "parts without a common edge");
         table.row("boundary edges", edges.boundary, "of one face");
+        table.row("matched borders", edges.matched, "where some lie on one another");
+        table.row("seams", edges.seams, "where those of two objects do");
         table.row("non-manifold edges", edges.non_manifold, "of three faces or more");
         table.row("crease edges", edges.crease, "of two faces, sharp");
         table.row("smooth edges", edges.smooth, "of two faces, flat or nearly");

@@ -15,6 +15,13 @@ pub(crate) struct LineFlags {
     /// Folds of more than this are creases [default: 30]
     #[arg(long, value_name = "DEG", value_parser = parse_fold)]
     crease: Option<f64>,
+    /// Surfaces that pass through one another at more than this make a line [default: as --crease]
+    #[arg(long, value_name = "DEG", value_parser = parse_fold)]
+    intersections: Option<f64>,
+    /// Draw the borders of objects where two share one and go on smoothly, as groups of one
+    /// surface do
+    #[arg(long)]
+    seams: bool,
     /// Classes to draw, separated by commas: contour, boundary, crease, non-manifold,
     /// intersection, line (OBJ l), mesh (every other edge) [default: all but mesh]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_class)]
@@ -24,7 +31,7 @@ pub(crate) struct LineFlags {
 impl LineFlags {
     /// Whether any flag was given.
     pub(crate) fn any(&self) -> bool {
-        self.crease.is_some() || self.edges.is_some()
+        self.crease.is_some() || self.intersections.is_some() || self.seams || self.edges.is_some()
     }
 
     /// What the library is asked for.
@@ -33,10 +40,13 @@ impl LineFlags {
         if let Some(degrees) = self.crease {
             options = options.with_crease_degrees(degrees);
         }
+        if let Some(degrees) = self.intersections {
+            options = options.with_intersection_degrees(degrees);
+        }
         if let Some(classes) = &self.edges {
             options = options.with_classes(classes);
         }
-        options
+        options.with_seams(self.seams)
     }
 }
 

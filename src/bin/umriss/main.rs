@@ -3,7 +3,7 @@
 //! One file per command; what commands share stands beside them: flags
 //! ([`grid_flags`], [`model_flags`], [`object_flags`], [`camera_flags`], [`line_flags`], [`page_flags`],
 //! [`pen_flags`], [`plotter_flags`], [`stroke_flags`], [`style_flags`], [`surface_flags`]), reading
-//! ([`models`]), writing ([`outputs`]) and the frame of a run ([`session`], [`limit_flags`]).
+//! ([`models`], [`input`]), writing ([`outputs`], [`overwriting`]) and the frame of a run ([`session`], [`limit_flags`]).
 //! Only the public interface of the library is used, and no geometry is done
 //! here.
 //!
@@ -24,6 +24,7 @@ mod failure;
 mod finish;
 mod grid_flags;
 mod info;
+mod input;
 mod interrupt;
 mod limit_flags;
 mod line_flags;
@@ -31,6 +32,7 @@ mod model_flags;
 mod models;
 mod object_flags;
 mod outputs;
+mod overwriting;
 mod page_flags;
 mod paint;
 mod pen_flags;

@@ -12,6 +12,10 @@ pub(crate) struct ModelFlags {
     /// extension]
     #[arg(long, value_name = "F", value_parser = parse_format)]
     pub(crate) input_format: Option<Format>,
+    /// Read files that a glTF model refers to outside of its own folder too, `../textures.bin` or
+    /// `/data/a.bin`: for models that are trusted
+    #[arg(long)]
+    pub(crate) allow_outside: bool,
     /// Unit of the models' numbers [default: m for glTF, otherwise mm]
     #[arg(long, value_enum)]
     pub(crate) unit: Option<UnitName>,
@@ -22,6 +26,29 @@ pub(crate) struct ModelFlags {
     /// [default: only equal ones]
     #[arg(long, value_name = "TOL", value_parser = parse_distance)]
     pub(crate) weld: Option<f64>,
+    /// Repair what rounding has torn: vertices go to vertices, edges and planes that are nearer than
+    /// this, in the models' unit, or, with auto, than their files tell [default: nothing is repaired]
+    #[arg(long, value_name = "TOL|auto", value_parser = parse_heal, conflicts_with = "weld")]
+    pub(crate) heal: Option<Heal>,
+}
+
+/// How far apart is taken for rounding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Heal {
+    /// As the files tell.
+    Auto,
+    /// Less than this, in the models' unit.
+    Within(f64),
+}
+
+impl Heal {
+    /// The distance, given that the files tell this one.
+    pub(crate) fn tolerance(self, resolution: f64) -> f64 {
+        match self {
+            Heal::Auto => resolution,
+            Heal::Within(distance) => distance,
+        }
+    }
 }
 
 /// A unit by its name.
@@ -68,6 +95,15 @@ impl AxisName {
 
 fn parse_format(name: &str) -> Result<Format, String> {
     Format::from_name(name).ok_or_else(|| "expected obj, stl, ply, off, json or gltf".to_owned())
+}
+
+pub(crate) fn parse_heal(text: &str) -> Result<Heal, String> {
+    match text.trim() {
+        "auto" => Ok(Heal::Auto),
+        number => parse_distance(number)
+            .map(Heal::Within)
+            .map_err(|_| "expected auto or a number greater than 0".to_owned()),
+    }
 }
 
 /// A finite number greater than zero.

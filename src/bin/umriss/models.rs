@@ -2,19 +2,18 @@
 
 use crate::crossed_faces;
 use crate::failure::Failure;
-use crate::model_flags::{AxisName, ModelFlags};
+use crate::input::{STANDARD_INPUT, read_input};
+use crate::model_flags::{AxisName, Heal, ModelFlags};
 use crate::session::RunFlags;
 use serde::Deserialize;
-use std::io::{Read, stdin};
 use std::path::{Path, PathBuf};
 use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
-use umriss::model::import::{Format, Imported, line_of_face, read_bytes_within, read_file_within};
-use umriss::model::{MeshError, Scene, SceneOptions, Soup, Unit};
+use umriss::model::import::{
+    Format, ImportOptions, Imported, line_of_face, read_bytes_within, read_file_within,
+};
+use umriss::model::{HealReport, MeshError, Scene, SceneOptions, Soup, Unit};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
-
-/// The name under which standard input goes in messages.
-const STANDARD_INPUT: &str = "<stdin>";
 
 /// How far into a file the name of our own format is looked for where the
 /// rest is no JSON.
@@ -36,14 +35,14 @@ pub(crate) fn read_subject(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Subject, Failure> {
-    let sources = sources(files)?;
+    let mut sources = sources(files, run)?;
     if flags.input_format.is_none()
-        && let [source] = &*sources
-        && let Some(drawing) = read_computed(source)?
+        && let [source] = &mut *sources
+        && let Some(drawing) = read_computed(source, run)?
     {
         return Ok(Subject::Drawing(Box::new(drawing)));
     }
-    scene_of(&sources, flags, select, session, run).map(|scene| Subject::Scene(Box::new(scene)))
+    scene_of(&mut sources, flags, select, session, run).map(|scene| Subject::Scene(Box::new(scene)))
 }
 
 /// Reads models into one scene.
@@ -64,7 +63,7 @@ pub(crate) fn read_selected(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    scene_of(&sources(files)?, flags, select, session, run)
+    scene_of(&mut sources(files, run)?, flags, select, session, run)
 }
 
 /// Leaves out objects that are not wanted.
@@ -74,8 +73,8 @@ pub(crate) type Select<'a> = &'a dyn Fn(&mut Vec<Soup>) -> Result<(), Failure>;
 struct Source<'a> {
     /// Nothing for standard input.
     path: Option<&'a Path>,
-    /// Standard input can be read only once.
-    bytes: Vec<u8>,
+    /// What can be read only once: standard input, or a pipe with a name.
+    bytes: Option<Vec<u8>>,
 }
 
 impl Source<'_> {
@@ -84,38 +83,39 @@ impl Source<'_> {
     }
 }
 
-fn sources(files: &[PathBuf]) -> Result<Vec<Source<'_>>, Failure> {
+fn sources<'a>(files: &'a [PathBuf], run: &Run<'_>) -> Result<Vec<Source<'a>>, Failure> {
     if files.iter().filter(|file| file.as_os_str() == "-").count() > 1 {
         return Err(Failure::usage("- is given twice, but standard input can be read only once"));
     }
-    files.iter().map(|file| source(file)).collect()
+    files.iter().map(|file| source(file, run)).collect()
 }
 
-fn source(file: &Path) -> Result<Source<'_>, Failure> {
+fn source<'a>(file: &'a Path, run: &Run<'_>) -> Result<Source<'a>, Failure> {
     if file.as_os_str() != "-" {
-        return Ok(Source { path: Some(file), bytes: Vec::new() });
+        return Ok(Source { path: Some(file), bytes: None });
     }
-    let mut bytes = Vec::new();
-    match stdin().lock().read_to_end(&mut bytes) {
-        Ok(_) => Ok(Source { path: None, bytes }),
-        Err(error) => Err(Failure::failed(format!("{STANDARD_INPUT}: cannot be read: {error}"))),
-    }
+    let bytes = run.stage("reading", 1, || read_input(None, run))?;
+    Ok(Source { path: None, bytes: Some(bytes) })
 }
 
 /// The drawing in a source, if it is one.
-fn read_computed(source: &Source<'_>) -> Result<Option<(VisibleLines, DrawingNotes)>, Failure> {
-    let read;
-    let bytes = match source.path {
-        None => &source.bytes,
-        Some(path) if path.extension().is_some_and(|word| word.eq_ignore_ascii_case("json")) => {
-            let name = path.display();
-            read = std::fs::read(path)
-                .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
-            &read
+fn read_computed(
+    source: &mut Source<'_>,
+    run: &Run<'_>,
+) -> Result<Option<(VisibleLines, DrawingNotes)>, Failure> {
+    if let Some(path) = source.path {
+        if !path.extension().is_some_and(|word| word.eq_ignore_ascii_case("json")) {
+            return Ok(None);
         }
-        Some(_) => return Ok(None),
-    };
+        source.bytes = Some(run.stage("reading", 1, || read_input(Some(path), run))?);
+    }
+    let Some(bytes) = &source.bytes else { return Ok(None) };
     if !is_drawing(bytes) {
+        // A file may be opened again, and knows what lies beside it.
+        if source.path.is_some_and(Path::is_file) {
+            run.give_back(bytes.capacity() as u64);
+            source.bytes = None;
+        }
         return Ok(None);
     }
     let name = source.name();
@@ -147,22 +147,26 @@ fn is_drawing(bytes: &[u8]) -> bool {
 }
 
 fn scene_of(
-    sources: &[Source<'_>],
+    sources: &mut [Source<'_>],
     flags: &ModelFlags,
     select: Select<'_>,
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    let mut unit = None;
+    let (mut unit, mut resolution) = (None, 0.0_f64);
     let mut soups = Vec::new();
     let mut formats = Vec::new();
     run.stage("reading", sources.len() as u64, || {
-        for source in sources {
+        for source in &mut *sources {
             let imported = import(source, flags, run)?;
             for warning in &imported.warnings {
                 session.note(&format!("{}: {warning}", source.name()));
             }
             formats.push(imported.format);
+            resolution = resolution.max(match flags.heal {
+                Some(Heal::Auto) => imported.resolution(),
+                _ => 0.0,
+            });
             unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
             soups.extend(upright_soups(imported, flags, source));
             run.advance(1);
@@ -170,6 +174,13 @@ fn scene_of(
         Ok::<(), Failure>(())
     })?;
     select(&mut soups)?;
+    if let Some(heal) = flags.heal {
+        let tolerance = heal.tolerance(resolution);
+        let report = run.stage("healing", soups.len() as u64, || {
+            umriss::model::heal(&mut soups, tolerance, run)
+        })?;
+        session.note(&told(tolerance, &report));
+    }
     let options = SceneOptions { weld: flags.weld, unit: unit.unwrap_or_default() };
     let made = run.stage("mesh", soups.len() as u64, || Scene::within(soups, &options, run));
     let scene = made.map_err(|error| match sources {
@@ -188,29 +199,34 @@ fn scene_of(
     Ok(scene)
 }
 
-fn import(source: &Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {
-    let imported = match source.path {
-        Some(path) => read_file_within(path, flags.input_format, run),
-        None => read_bytes_within(STANDARD_INPUT, &source.bytes, flags.input_format, run),
-    };
-    Ok(imported?)
+/// What healing did, in one line.
+fn told(tolerance: f64, report: &HealReport) -> String {
+    let HealReport { moved, farthest, closed_borders, collapsed_faces } = report;
+    format!(
+        "--heal {tolerance:.2e}: {moved} places moved, by {farthest:.2e} at most; {closed_borders} \
+         borders closed; {collapsed_faces} faces collapsed"
+    )
+}
+
+fn import(source: &mut Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {
+    let (format, allow_outside) = (flags.input_format, flags.allow_outside);
+    match (source.bytes.take(), source.path) {
+        (None, Some(path)) => {
+            Ok(read_file_within(path, ImportOptions { format, allow_outside }, run)?)
+        }
+        (bytes, _) => {
+            let bytes = bytes.unwrap_or_default();
+            let imported = read_bytes_within(&source.name(), &bytes, format, run);
+            run.give_back(bytes.capacity() as u64);
+            Ok(imported?)
+        }
+    }
 }
 
 /// The line of a face in a file that can be read twice.
 fn line_in(source: &Source<'_>, format: Format, face: u64) -> Option<u64> {
-    if format != Format::PolygonScene {
-        return None;
-    }
-    let read;
-    let bytes = match source.path {
-        None => &source.bytes,
-        Some(path) if path.is_file() => {
-            read = std::fs::read(path).ok()?;
-            &read
-        }
-        Some(_) => return None,
-    };
-    line_of_face(bytes, format, face)
+    let path = source.path.filter(|path| format == Format::PolygonScene && path.is_file())?;
+    line_of_face(&std::fs::read(path).ok()?, format, face)
 }
 
 /// The unit of the scene after one more file.

@@ -5,8 +5,11 @@
 
 use crate::failure::Failure;
 use crate::interrupt::writing;
+use crate::overwriting;
 use crate::plotter_flags::Plotter;
+use crate::session::RunFlags;
 use clap::Args;
+use glam::DVec2;
 use std::io::{ErrorKind, Write, stdout};
 use std::path::{Path, PathBuf};
 use umriss::drawing::Drawing;
@@ -47,8 +50,12 @@ pub(crate) struct Outputs<'a> {
 }
 
 impl OutputFlags {
-    /// Finds out what is to be written where.
-    pub(crate) fn plan(&self) -> Result<Outputs<'_>, Failure> {
+    /// Finds out what is to be written where; none of it may be one of the
+    /// files that are read.
+    pub(crate) fn plan<'a>(
+        &self,
+        inputs: impl IntoIterator<Item = &'a Path>,
+    ) -> Result<Outputs<'_>, Failure> {
         for (index, path) in self.output.iter().enumerate() {
             if self.output[..index].contains(path) {
                 let path = path.display();
@@ -57,7 +64,10 @@ impl OutputFlags {
         }
         let outputs: Result<_, Failure> =
             self.output.iter().map(|path| self.output(path)).collect();
-        Ok(Outputs { outputs: outputs? })
+        let outputs = Outputs { outputs: outputs? };
+        let paths: Vec<&Path> = self.output.iter().map(|path| &**path).collect();
+        overwriting::refuse("--output", paths, inputs.into_iter().collect::<Vec<_>>())?;
+        Ok(outputs)
     }
 
     fn output<'a>(&self, path: &'a Path) -> Result<Output<'a>, Failure> {
@@ -76,6 +86,28 @@ impl OutputFlags {
             (Err(error), _) => return Err(Failure::usage(format!("--output: {error}"))),
         };
         Ok(Output { path: Some(path), format })
+    }
+}
+
+impl Computed {
+    /// Tells the user where there is nothing to see: the outputs are written
+    /// all the same, as empty as they are.
+    pub(crate) fn tell_if_empty(&self, session: &RunFlags) {
+        let Drawing { layers, fills, painting, .. } = &self.drawing;
+        if !(layers.is_empty() && fills.is_empty() && painting.is_empty()) {
+            return;
+        }
+        let points = || self.lines.pieces.iter().flat_map(|piece| piece.points);
+        if points().next().is_none() {
+            session.note("nothing is drawn: no line is in the picture");
+            return;
+        }
+        let low = points().fold(DVec2::INFINITY, DVec2::min);
+        let high = points().fold(DVec2::NEG_INFINITY, DVec2::max);
+        session.note(&format!(
+            "nothing is drawn on the page; the lines reach from {:?},{:?} to {:?},{:?}",
+            low.x, low.y, high.x, high.y
+        ));
     }
 }
 

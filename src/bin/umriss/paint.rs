@@ -60,7 +60,8 @@ impl PaintFlags {
         surfaces: &SurfaceOptions,
         run: &Run<'_>,
     ) -> Result<(VisibleLines, Drawing), Failure> {
-        let painter = PainterOptions { painter: self.painter.unwrap_or_default(), fault: None };
+        let painter = self.painter.unwrap_or_default();
+        let painter = PainterOptions { painter, ..PainterOptions::default() };
         let order = exact::paint_order(question, &painter, run)?;
         let count = order.pieces.len() as u64;
         let (faces, lines) =

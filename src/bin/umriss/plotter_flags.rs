@@ -1,6 +1,7 @@
 //! Flags that say which plotter HPGL is written for.
 
 use crate::failure::Failure;
+use crate::input::read_settings_text;
 use clap::Args;
 use std::path::PathBuf;
 use umriss::drawing::Drawing;
@@ -16,7 +17,7 @@ pub(crate) struct PlotterFlags {
     device: Option<String>,
     /// A table of more plotters, in the form of the file devices.toml of Umriss
     #[arg(long, value_name = "FILE.toml")]
-    devices: Option<PathBuf>,
+    pub(crate) devices: Option<PathBuf>,
     /// Speed to draw with, cm/s [default: the plotter's own]
     #[arg(long, value_name = "V", value_parser = crate::model_flags::parse_distance)]
     speed: Option<f64>,
@@ -40,7 +41,7 @@ impl PlotterFlags {
         let known = match &self.devices {
             Some(file) => {
                 let name = file.display();
-                let text = std::fs::read_to_string(file)
+                let text = read_settings_text(file)
                     .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
                 devices([text.as_str()]).map_err(|error| match error {
                     ExportError::DeviceTable { line, message } => {

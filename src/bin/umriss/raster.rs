@@ -7,13 +7,14 @@ use crate::interrupt::writing;
 use crate::model_flags::ModelFlags;
 use crate::models::read_scene;
 use crate::outputs::print;
+use crate::overwriting;
 use crate::sample_grid::{parse_size, samples};
 use crate::session::RunFlags;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use umriss::exact;
-use umriss::export::{boxes_to_svg, pixels_to_png, to_png, write_file};
+use umriss::export::{OutputFormat, boxes_to_svg, pixels_to_png, to_png, write_file};
 use umriss::fill::{Canvas, Pattern};
 use umriss::model::{Color, FeatureOptions, View};
 use umriss::raster::{
@@ -105,7 +106,7 @@ enum Picture {
 impl Raster {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let is_svg = self.output.extension().is_some_and(|extension| extension == "svg");
+        let is_svg = self.is_svg()?;
         if self.show == Picture::Splits && self.subdivision().is_none() {
             let method = self.method.0;
             return Err(Failure::usage(format!(
@@ -130,11 +131,31 @@ impl Raster {
         if is_svg && self.show != Picture::Splits {
             return Err(Failure::usage("--output: only splits are drawn as SVG, expected a PNG"));
         }
+        let flags = [&self.camera.camera, &self.finish.font];
+        let inputs = self.models.iter().chain(flags.into_iter().flatten());
+        overwriting::refuse("--output", [&*self.output], inputs.map(PathBuf::as_path))?;
         let bytes = self.session.run(|run| self.render(is_svg, run))?;
         if self.output == Path::new("-") {
             return print(&bytes);
         }
         writing(|| write_file(&self.output, &bytes))
+    }
+
+    /// Whether the image is to be an SVG; otherwise it is a PNG.
+    fn is_svg(&self) -> Result<bool, Failure> {
+        if self.output == Path::new("-") {
+            return Ok(false);
+        }
+        match OutputFormat::from_path(&self.output) {
+            Ok(OutputFormat::Png) => Ok(false),
+            Ok(OutputFormat::Svg) => Ok(true),
+            _ => {
+                let name = self.output.display();
+                Err(Failure::usage(format!(
+                    "--output {name}: expected the name of a PNG, or of an SVG for --show splits"
+                )))
+            }
+        }
     }
 
     fn render(&self, is_svg: bool, run: &Run<'_>) -> Result<Vec<u8>, Failure> {

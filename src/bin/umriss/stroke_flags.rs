@@ -8,6 +8,10 @@ use umriss::drawing::{DrawingError, DrawingOptions, Join, Length};
 #[derive(Args)]
 #[command(next_help_heading = "Strokes")]
 pub(crate) struct StrokeFlags {
+    /// Draw lines that run within this distance of one another once; 0 draws all of them
+    /// [default: 0.02 mm or a tenth of the pen, whichever is more]
+    #[arg(long, value_name = "L", value_parser = parse::<Length>)]
+    merge: Option<Length>,
     /// What may be joined to one stroke: all lines of a layer, or those of one class
     /// [default: all]
     #[arg(long, value_name = "WHAT", value_parser = parse::<Join>)]
@@ -26,7 +30,8 @@ pub(crate) struct StrokeFlags {
 impl StrokeFlags {
     /// Whether any flag was given.
     pub(crate) fn any(&self) -> bool {
-        self.join.is_some()
+        self.merge.is_some()
+            || self.join.is_some()
             || self.simplify.is_some()
             || self.fit.is_some()
             || self.min_length.is_some()
@@ -35,6 +40,7 @@ impl StrokeFlags {
     /// The options with these wishes in them.
     pub(crate) fn apply(&self, options: DrawingOptions) -> DrawingOptions {
         DrawingOptions {
+            merge: self.merge.or(options.merge),
             join: self.join.unwrap_or(options.join),
             simplify: self.simplify.unwrap_or(options.simplify),
             fit: self.fit.unwrap_or(options.fit),

@@ -1,6 +1,7 @@
 //! Flags that say how lines look: widths, gaps, types of line.
 
 use crate::failure::Failure;
+use crate::input::read_settings_text;
 use clap::Args;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -20,7 +21,7 @@ pub(crate) struct StyleFlags {
     pub(crate) preset: Option<Preset>,
     /// Rules for widths, colours, pens and types of line, and for objects
     #[arg(long, value_name = "FILE.toml")]
-    style: Option<PathBuf>,
+    pub(crate) style: Option<PathBuf>,
     /// Interrupt lines where others pass in front of them; the gap measured across those.
     /// A JSON drawing has what it takes only if --halo was given when it was computed, 0 will do
     #[arg(long, value_name = "L", value_parser = parse::<Length>)]
@@ -119,7 +120,7 @@ impl StyleFlags {
             return Ok(Styles::default());
         };
         let name = file.display();
-        let text = std::fs::read_to_string(file)
+        let text = read_settings_text(file)
             .map_err(|error| Failure::failed(format!("{name}: cannot be read: {error}")))?;
         read_styles(&text).map_err(|error| match error {
             DrawingError::Styles { line, message } => {

@@ -1,9 +1,9 @@
-//! `umriss surface`: a surface y = f(x, z) as curves without their hidden
+//! `umriss surface`: surfaces y = f(x, z) as curves without their hidden
 //! parts.
 
 use crate::camera_flags::CameraFlags;
 use crate::failure::Failure;
-use crate::grid_flags::GridFlags;
+use crate::grid_flags::{GridFlags, Ground, Named};
 use crate::model_flags::UnitName;
 use crate::outputs::{Computed, OutputFlags};
 use crate::page_flags::PageFlags;
@@ -13,16 +13,18 @@ use crate::session::RunFlags;
 use crate::stroke_flags::StrokeFlags;
 use crate::style_flags::StyleFlags;
 use clap::{Args, ValueEnum};
+use glam::DVec3;
+use std::path::{Path, PathBuf};
 use umriss::drawing::{
     Content, Drawing, DrawingOptions, Effort, Hidden, Preset, Styles, SurfaceOptions,
 };
 use umriss::exact;
 use umriss::export::DrawingNotes;
 use umriss::model::surface::{Curves, Surface};
-use umriss::model::{FeatureOptions, LineClass, Mesh, MeshError, View};
+use umriss::model::{FeatureOptions, LineClass, Mesh, MeshError, Soup, View};
 use umriss::run::Run;
 use umriss::view::{
-    Crossing, ExactLines, ImageRegions, LineQuestion, PreparedSurface, VisibleLines,
+    Crossing, ExactLines, ImageRegions, LineQuestion, ObjectWish, PreparedSurface, VisibleLines,
 };
 use umriss::visibility::AppelOptions;
 
@@ -34,6 +36,8 @@ Examples:
   umriss surface heights.csv --z-scale 2 --view iso-sw -o heights.svg -o heights.json
   umriss surface island.png --z-scale 0.002 --every 8 --eye 500,-900,400 -o island.svg
   umriss surface terrain.asc --missing cut --unit m --halo 0.8mm -o terrain.svg
+  umriss surface coast.asc --missing hole --base -50 -o coast.svg
+  umriss surface 'sin(x)*cos(z)' '0.4*x' --view iso --layer-by object -o two.svg
   umriss draw heights.json -o small.svg --paper a6         (restyled, not computed again)
   umriss surface --x -2..2 -o bowl.svg -- '-x^2'           (an expression that begins with -)";
 
@@ -44,24 +48,34 @@ appel";
 const NO_COUNTS: &str = "\
 a floating horizon does not count what hides a line: expected no --hidden-by, or --method appel";
 
-/// Draw a surface y = f(x, z) as curves without their hidden parts.
+const NO_HOLES: &str = "\
+a floating horizon has no holes: expected --missing cut, or no --method horizon";
+
+const ONE_SURFACE: &str = "\
+a floating horizon draws one surface: expected one, or no --method horizon";
+
+/// Draw surfaces y = f(x, z) as curves without their hidden parts.
 ///
-/// The surface is an expression of x and z, or a grid of heights from a
-/// file: CSV, ESRI ASCII grid, 16-bit grey PNG. y points up and z to the
+/// A surface is an expression of x and z, or a grid of heights from a file:
+/// CSV, ESRI ASCII grid, PNG (grey of 16 bits, or the luminance of colours:
+/// 0.2126 red + 0.7152 green + 0.0722 blue). y points up and z to the
 /// viewer of the front view: (x, y, z) is (x, -z, y) for the camera.
+/// Several surfaces are objects of one picture, with the lines in which
+/// they pass through one another.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct SurfaceCommand {
-    /// An expression of x and z, or a file of heights; - is standard input
-    #[arg(value_name = "EXPR|FILE")]
-    source: String,
+    /// Expressions of x and z, or files of heights; - is standard input
+    #[arg(value_name = "EXPR|FILE", required = true)]
+    sources: Vec<String>,
     #[command(flatten)]
     outputs: OutputFlags,
     #[command(flatten)]
     grid: GridFlags,
-    /// Method that finds visible lines
-    #[arg(long, value_enum, value_name = "M", default_value_t = Method::Horizon)]
-    method: Method,
+    /// Method that finds visible lines [default: horizon; appel for several surfaces, or one with
+    /// holes]
+    #[arg(long, value_enum, value_name = "M")]
+    method: Option<Method>,
     #[command(flatten)]
     camera: CameraFlags,
     #[command(flatten)]
@@ -93,9 +107,12 @@ type Found = (VisibleLines, Option<Vec<Crossing>>);
 impl SurfaceCommand {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let outputs = self.outputs.plan()?;
+        let flags = [&self.camera.camera, &self.style.style, &self.plotter.devices];
+        let flags = flags.into_iter().flatten().map(PathBuf::as_path);
+        let outputs = self.outputs.plan(flags.chain(self.sources.iter().map(Path::new)))?;
         let plotter = self.plotter.plotter()?;
         let computed = self.session.run(|run| self.draw(&plotter, run))?;
+        computed.tell_if_empty(&self.session);
         outputs.write(&computed, &plotter, &self.style.svg(self.page.precision))
     }
 
@@ -103,13 +120,21 @@ impl SurfaceCommand {
         let styles = self.style.styles()?;
         let options = self.options();
         let hidden = options.hidden != Hidden::None;
-        self.check(&options, &styles)?;
-        let (surface, name) =
-            run.stage("heights", 1, || self.grid.surface(&self.source, &self.session, run))?;
-        let view = self.camera.camera()?.view(surface.bounds())?;
-        let (lines, crossings) = match self.method {
-            Method::Horizon => self.by_horizon(&surface, &name, &view, hidden, run)?,
-            Method::Appel => self.by_appel(&surface, &name, &view, hidden, &styles, run)?,
+        let count = self.sources.len() as u64;
+        let surfaces =
+            run.stage("heights", count, || self.grid.surfaces(&self.sources, &self.session, run))?;
+        let one = match &*surfaces {
+            [Named { name, ground: Ground::Whole(surface) }] => Some((name, surface)),
+            _ => None,
+        };
+        let by_horizon = self.by_horizon_alone(one.is_some(), surfaces.len() > 1)?;
+        if by_horizon {
+            self.check(&options, &styles)?;
+        }
+        let view = self.camera.camera()?.view(bounds(&surfaces))?;
+        let (lines, crossings) = match one.filter(|_| by_horizon) {
+            Some((name, surface)) => self.by_horizon(surface, name, &view, hidden, run)?,
+            None => self.by_appel(&surfaces, &view, hidden, &styles, run)?,
         };
         let unit = Some(self.grid.unit.map(UnitName::unit).unwrap_or_default());
         let outline = self.style.outline_wanted(&styles);
@@ -124,11 +149,20 @@ impl SurfaceCommand {
         Ok(Computed { lines, notes, drawing })
     }
 
+    /// Whether a horizon draws this: if it can, unless the other method is
+    /// asked for.
+    fn by_horizon_alone(&self, it_can: bool, are_several: bool) -> Result<bool, Failure> {
+        match self.method {
+            Some(Method::Appel) => Ok(false),
+            Some(Method::Horizon) if !it_can => {
+                Err(Failure::usage(if are_several { ONE_SURFACE } else { NO_HOLES }))
+            }
+            _ => Ok(it_can),
+        }
+    }
+
     /// Refuses what a horizon does not find.
     fn check(&self, options: &DrawingOptions, styles: &Styles) -> Result<(), Failure> {
-        if self.method == Method::Appel {
-            return Ok(());
-        }
         if self.style.outline_wanted(styles).is_some() {
             return Err(Failure::usage(NO_OUTLINE));
         }
@@ -158,19 +192,40 @@ impl SurfaceCommand {
 
     fn by_appel(
         &self,
-        surface: &Surface,
-        name: &str,
+        surfaces: &[Named],
         view: &View,
         hidden: bool,
         styles: &Styles,
         run: &Run<'_>,
     ) -> Result<Found, Failure> {
-        let curves = Curves::new(surface, &self.grid.curves());
-        let soup = surface.soup(name, &curves);
-        let points = soup.vertices.len() as u64;
-        let mesh = run.stage("mesh", points, || Mesh::within(vec![soup], None, run))?;
-        let options = FeatureOptions::default().with_classes(&[LineClass::Line]);
-        let prepared = exact::prepare(&mesh, view, &options, run)?;
+        let curves = self.grid.curves();
+        let mut classes = vec![LineClass::Line];
+        // Where surfaces pass through one another.
+        classes.extend((surfaces.len() > 1).then_some(LineClass::Intersection));
+        let of_surfaces = FeatureOptions::default().with_classes(&classes);
+        // Walls may stand under borders of any shape: they end in contours.
+        classes.push(LineClass::Contour);
+        let of_walls = FeatureOptions::default().with_classes(&classes);
+        let (mut soups, mut wishes) = (Vec::new(), Vec::new());
+        let mut add = |soup: Soup, features| {
+            soups.push(soup);
+            wishes.push(ObjectWish { features, see_through: false });
+        };
+        for Named { name, ground } in surfaces {
+            match ground {
+                Ground::Whole(surface) => {
+                    add(surface.soup(name, &Curves::new(surface, &curves)), of_surfaces);
+                }
+                Ground::WithHoles(surface) => {
+                    let (soup, walls) = surface.soups(name, &curves);
+                    add(soup, of_surfaces);
+                    walls.into_iter().for_each(|walls| add(walls, of_walls));
+                }
+            }
+        }
+        let points = soups.iter().map(|soup| soup.vertices.len() as u64).sum();
+        let mesh = run.stage("mesh", points, || Mesh::within(soups, None, run))?;
+        let prepared = exact::prepare_with_wishes(&mesh, view, &wishes, run)?;
         let question = prepared.question(hidden);
         let mut answer = exact::appel(&question, &AppelOptions::default(), run)?;
         if let Some(of) = self.style.outline_wanted(styles) {
@@ -204,6 +259,16 @@ impl SurfaceCommand {
     fn effort(&self) -> Effort {
         self.style.preset.map(Preset::effort).unwrap_or_default()
     }
+}
+
+/// The box around all surfaces.
+fn bounds(surfaces: &[Named]) -> (DVec3, DVec3) {
+    let each = surfaces.iter().map(|Named { ground, .. }| match ground {
+        Ground::Whole(surface) => surface.bounds(),
+        Ground::WithHoles(surface) => surface.bounds(),
+    });
+    let both = |(a, b): (DVec3, DVec3), (c, d): (DVec3, DVec3)| (a.min(c), b.max(d));
+    each.reduce(both).unwrap_or_default()
 }
 
 /// Every grid has curves of either family.

@@ -6,6 +6,8 @@ use crate::line_flags::LineFlags;
 use crate::model_flags::ModelFlags;
 use crate::models::read_scene;
 use crate::outputs::print;
+#[cfg(feature = "png")]
+use crate::overwriting;
 use crate::sample_grid::{parse_size, samples};
 use crate::session::RunFlags;
 use clap::Args;
@@ -24,6 +26,10 @@ Examples:
   umriss verify part.stl --all --size 640x480
   umriss verify house.obj trees.obj --eye 100,-200,80 --picture differences.png";
 
+/// What is to be told where a way of the painter was not checked.
+const LEFT_OUT: &str = "\
+some ways of the painter were left out, for they take too many cuts: --painting-cuts all checks them";
+
 /// Prove a drawing: compare it with another method and with an image.
 ///
 /// Every piece is counted afresh, compared with Roberts' method and looked
@@ -31,7 +37,8 @@ Examples:
 /// every other. Up to --regions triangles, what is seen of each face is found
 /// too: compared with the images of all faces, with rays, and with the lines;
 /// and up to --painting triangles faces are brought into the painter's order,
-/// each way, which is compared pair by pair, by areas, and with rays.
+/// each way, which is compared pair by pair, by areas, and with rays; ways that
+/// take more than --painting-cuts cuts are left out, and told.
 /// Exit code 1 if an exact check differs; the image is none.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
@@ -56,6 +63,10 @@ pub(crate) struct Verify {
     /// Check the painter's order of faces up to this many triangles
     #[arg(long, value_name = "N", default_value_t = PaintVerifyOptions::default().up_to)]
     painting: usize,
+    /// Leave out ways of the painter that take more than this many cuts: a number, or all to
+    /// check every way whatever it takes
+    #[arg(long, value_name = "N", value_parser = parse_cuts, default_value = "2500")]
+    painting_cuts: CutsFlag,
     /// Make a mistake on purpose, to see that it is found
     #[arg(long = "break", value_name = "NAME", hide = true, value_parser = parse_mistake)]
     mistake: Option<Mistake>,
@@ -67,6 +78,20 @@ pub(crate) struct Verify {
     lines: LineFlags,
     #[command(flatten)]
     session: RunFlags,
+}
+
+/// How many cuts the painter may make, if there is a limit.
+#[derive(Debug, Clone, Copy)]
+struct CutsFlag(Option<usize>);
+
+fn parse_cuts(text: &str) -> Result<CutsFlag, String> {
+    match text.trim() {
+        "all" => Ok(CutsFlag(None)),
+        number => match number.parse() {
+            Ok(most) => Ok(CutsFlag(Some(most))),
+            Err(_) => Err("expected a number of cuts, or all".to_owned()),
+        },
+    }
 }
 
 /// A mistake in one of the methods.
@@ -97,17 +122,34 @@ impl Reports {
 impl Verify {
     /// Runs the command.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        #[cfg(feature = "png")]
+        self.check_picture()?;
         let reports = self.session.run(|run| self.verify(run))?;
         let mut text = format!("{}{}{}", reports.lines, reports.regions, reports.painting);
         if let Some(check) = &reports.images {
             text = format!("{text}{check}");
         }
         print(text.as_bytes())?;
+        if reports.painting.rows.iter().any(|row| row.left_out.is_some()) {
+            self.session.note(LEFT_OUT);
+        }
         if reports.is_clean() {
             Ok(())
         } else {
             Err(Failure::failed("the checks differ: expected no difference"))
         }
+    }
+
+    /// The picture is a PNG, and replaces nothing that is read.
+    #[cfg(feature = "png")]
+    fn check_picture(&self) -> Result<(), Failure> {
+        let Some(picture) = &self.picture else { return Ok(()) };
+        if !picture.extension().is_some_and(|word| word.eq_ignore_ascii_case("png")) {
+            let name = picture.display();
+            return Err(Failure::usage(format!("--picture {name}: expected the name of a PNG")));
+        }
+        let inputs = self.models.iter().chain(&self.camera.camera);
+        overwriting::refuse("--picture", [&**picture], inputs.map(PathBuf::as_path))
     }
 
     fn verify(&self, run: &Run<'_>) -> Result<Reports, Failure> {
@@ -133,7 +175,9 @@ impl Verify {
             Some(Mistake::Painting(fault)) => Some(fault),
             _ => None,
         };
-        let options = PaintVerifyOptions { up_to: self.painting, fault, ..Default::default() };
+        let CutsFlag(most_cuts) = self.painting_cuts;
+        let options =
+            PaintVerifyOptions { up_to: self.painting, most_cuts, fault, ..Default::default() };
         let painting = exact::verify_painting(&view, &question, &options, run)?;
         let images = match self.all {
             true => {

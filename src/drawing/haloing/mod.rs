@@ -30,6 +30,7 @@
 mod chains;
 mod stadium;
 
+use super::piece_part::part_of;
 use crate::run::{Cancelled, Run, concat_map, map_chunks, sort_by};
 use crate::view::{Crossing, LinePiece, Projection, VisibleLines};
 use chains::Chains;
@@ -70,7 +71,8 @@ pub(super) fn interrupt(
     run: &Run<'_>,
 ) -> Result<VisibleLines, Cancelled> {
     let chains = Chains::new(&lines.pieces, drawn);
-    let halo = Halo { pieces: &lines.pieces, chains, perspective: is_perspective(lines), radius };
+    let projection = lines.frame.projection;
+    let halo = Halo { pieces: &lines.pieces, chains, projection, radius };
     let mut gaps = map_chunks(crossings.len(), PART, |part| {
         let mut gaps = Vec::new();
         run.advance(0);
@@ -106,15 +108,11 @@ pub(super) fn interrupt(
     Ok(VisibleLines { frame: lines.frame, objects, pieces, counters })
 }
 
-fn is_perspective(lines: &VisibleLines) -> bool {
-    lines.frame.projection == Projection::Perspective
-}
-
 /// What gaps are made with.
 struct Halo<'a> {
     pieces: &'a [LinePiece],
     chains: Chains,
-    perspective: bool,
+    projection: Projection,
     radius: f64,
 }
 
@@ -244,7 +242,7 @@ impl Halo<'_> {
         let piece = &self.pieces[piece as usize];
         let depth = |end: usize| {
             let depth = piece.depth[end];
-            if self.perspective { -depth.recip() } else { depth }
+            if self.projection == Projection::Perspective { -depth.recip() } else { depth }
         };
         Profile { points: ends.map(|end| piece.points[end]), depths: ends.map(depth) }
     }
@@ -259,29 +257,13 @@ impl Halo<'_> {
         for gap in gaps {
             let [begin, end] = gap.range;
             if from < begin {
-                pieces.push(self.part(piece, [from, begin]));
+                pieces.push(part_of(piece, [from, begin], self.projection));
             }
             from = end.max(from);
         }
         if from < 1.0 {
-            pieces.push(self.part(piece, [from, 1.0]));
+            pieces.push(part_of(piece, [from, 1.0], self.projection));
         }
-    }
-
-    fn part(&self, piece: &LinePiece, range: [f64; 2]) -> LinePiece {
-        let point = |t: f64| match t {
-            0.0 => piece.points[0],
-            1.0 => piece.points[1],
-            t => piece.points[0].lerp(piece.points[1], t),
-        };
-        let [near, far] = piece.depth;
-        let depth = |t: f64| match t {
-            0.0 => near,
-            1.0 => far,
-            t if self.perspective => 1.0 / ((1.0 - t) / near + t / far),
-            t => near + (far - near) * t,
-        };
-        LinePiece { points: range.map(point), depth: range.map(depth), ..*piece }
     }
 }
 

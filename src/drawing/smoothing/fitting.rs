@@ -9,7 +9,7 @@
 //! coarse for any smooth curve within the tolerance, is simplified instead.
 
 use super::distance::both_ways;
-use super::{Node, simplify};
+use super::{Smoothed, simplify};
 use glam::DVec2;
 use kurbo::simplify::SimplifyBezPath;
 use kurbo::{BezPath, CubicBez, PathEl, Point, fit_to_bezpath};
@@ -20,23 +20,29 @@ const FEWEST: usize = 4;
 /// The accuracies asked for, in tolerances.
 const ACCURACIES: [f64; 2] = [0.5, 0.125];
 
-/// Appends the nodes of `stretch` after its first; `ring` says that its ends
-/// are one point without a corner.
-pub(super) fn append(stretch: &[DVec2], ring: bool, tolerance: f64, nodes: &mut Vec<Node>) {
-    let directions = directions(stretch, ring);
-    let mut pending = vec![(0, stretch.len() - 1)];
+/// Appends the nodes between two of `points`, and the second of the two;
+/// `ring` says that these are one point without a corner.
+pub(super) fn append(
+    points: &[DVec2],
+    [first, last]: [usize; 2],
+    ring: bool,
+    tolerance: f64,
+    nodes: &mut Vec<Smoothed>,
+) {
+    let directions = directions(&points[first..=last], ring);
+    let mut pending = vec![(first, last)];
     while let Some((from, to)) = pending.pop() {
-        let part = &stretch[from..=to];
+        let part = &points[from..=to];
         if part.len() < FEWEST {
-            simplify::append(part, tolerance, nodes);
+            simplify::append(points, [from, to], tolerance, nodes);
             continue;
         }
-        match fit(part, &directions[from..=to], tolerance) {
+        match fit(part, &directions[from - first..=to - first], tolerance) {
             Some(curves) => {
                 for curve in &curves[..curves.len() - 1] {
-                    nodes.push(node(curve, vector(curve.p3)));
+                    nodes.push(node(curve, vector(curve.p3), None));
                 }
-                nodes.push(node(&curves[curves.len() - 1], part[part.len() - 1]));
+                nodes.push(node(&curves[curves.len() - 1], points[to], Some(to)));
             }
             None => {
                 let middle = (from + to) / 2;
@@ -46,8 +52,8 @@ pub(super) fn append(stretch: &[DVec2], ring: bool, tolerance: f64, nodes: &mut 
     }
 }
 
-/// Curves within the tolerance of the part, if they are found, and if they
-/// are fewer than its segments.
+/// Curves within the tolerance of the part, if they are found, and if their
+/// points, controls among them, are no more than those of the part.
 fn fit(part: &[DVec2], directions: &[DVec2], tolerance: f64) -> Option<Vec<CubicBez>> {
     let mut smooth = BezPath::new();
     smooth.move_to(point(part[0]));
@@ -71,7 +77,7 @@ fn fit(part: &[DVec2], directions: &[DVec2], tolerance: f64) -> Option<Vec<Cubic
         last.p3 = point(part[part.len() - 1]);
         let sound =
             curves.iter().all(|curve| [curve.p1, curve.p2, curve.p3].iter().all(|p| p.is_finite()));
-        if part.len() <= curves.len() + 1 || !sound {
+        if part.len() <= 3 * curves.len() || !sound {
             return None;
         }
         if both_ways(part, &curves, tolerance) <= tolerance {
@@ -112,8 +118,8 @@ fn directions(stretch: &[DVec2], ring: bool) -> Vec<DVec2> {
     all
 }
 
-fn node(curve: &CubicBez, end: DVec2) -> Node {
-    (end, Some([vector(curve.p1), vector(curve.p2)]))
+fn node(curve: &CubicBez, end: DVec2, index: Option<usize>) -> Smoothed {
+    Smoothed { point: end, bend: Some([vector(curve.p1), vector(curve.p2)]), index }
 }
 
 fn point(vector: DVec2) -> Point {

@@ -7,13 +7,19 @@
 //! found, and no point of the latter farther from the drawn one.
 //!
 //! 1. `junctions`: where strokes meet, and where one ends on another, they
-//!    still do afterwards, at the same point bit for bit.
-//! 2. Between two such points, or corners, a stretch is smoothed by itself.
+//!    still do afterwards.
+//! 2. Between two points in which strokes meet, or corners, a stretch is
+//!    smoothed by itself. It goes through the feet of strokes that end on it.
 //! 3. `fitting` makes curves of stretches of gentle bends, measures what it
 //!    has made (`distance`), and where that is not good enough halves the
 //!    stretch; what no curve fits is left to `simplify`.
+//! 4. A foot is no point where the stroke runs straight through it; and where
+//!    more feet are points than points are left out, the stroke stays as it
+//!    was. So there are never more points than there were, control points
+//!    among them.
 
 mod distance;
+mod feet;
 mod fitting;
 mod junctions;
 mod simplify;
@@ -21,11 +27,22 @@ mod simplify;
 use super::dashing::is_corner;
 use super::{Strokes, is_closed};
 use crate::run::map_indexed;
+use feet::Stretch;
 use glam::DVec2;
-use junctions::Junctions;
+use junctions::{Foot, Junctions};
 
 /// A point of a stroke and, if the way to it is a curve, its two controls.
 pub(super) type Node = (DVec2, Option<[DVec2; 2]>);
+
+/// A point of a smoothed stroke.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Smoothed {
+    point: DVec2,
+    /// If the way to it is a curve, its two controls.
+    bend: Option<[DVec2; 2]>,
+    /// Which point of the stretch it is, if it is one.
+    index: Option<usize>,
+}
 
 /// What is done with a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,58 +54,83 @@ pub(super) enum Smoothing {
 }
 
 /// Smooths the strokes of all layers to within `tolerance` millimetres.
-pub(super) fn smooth(layers: &[Strokes], how: Smoothing, tolerance: f64) -> Vec<Strokes> {
-    let (layers, junctions) = Junctions::find(layers);
+/// Strokes that end within `reach` of others end on them.
+pub(super) fn smooth(
+    layers: &[Strokes],
+    how: Smoothing,
+    tolerance: f64,
+    reach: f64,
+) -> Vec<Strokes> {
+    let junctions = Junctions::find(layers, reach);
     map_indexed(layers.len(), |layer| {
         let strokes = &layers[layer];
         let smoothed = map_indexed(strokes.len(), |index| {
-            smooth_stroke(strokes.get(index), &junctions, how, tolerance)
+            let stroke = Stroke {
+                points: strokes.get(index),
+                feet: junctions.feet(layer, index),
+                junctions: &junctions,
+            };
+            stroke.smoothed(how, tolerance)
         });
         let mut all = Strokes::default();
-        smoothed.into_iter().for_each(|nodes| all.push_curved(nodes));
+        for nodes in smoothed {
+            all.push_curved(nodes.into_iter().map(|node| (node.point, node.bend)));
+        }
         all
     })
 }
 
-fn smooth_stroke(
-    stroke: &[DVec2],
-    junctions: &Junctions,
-    how: Smoothing,
-    tolerance: f64,
-) -> Vec<Node> {
-    let last = stroke.len() - 1;
-    let closed = is_closed(stroke);
-    let before = |i: usize| stroke[if i == 0 { last - 1 } else { i - 1 }];
-    let after = |i: usize| stroke[if i == last { 1 } else { i + 1 }];
-    let fixed = |i: usize| {
-        let corner = how == Smoothing::Fit
-            && (closed || (0 < i && i < last))
-            && is_corner(before(i), stroke[i], after(i));
-        junctions.holds(stroke[i]) || corner
-    };
-    // A closed stroke is looked at from a fixed point, if it has one.
-    let start = if closed { (0..last).find(|i| fixed(*i)) } else { Some(0) };
-    let points: Vec<DVec2> = match start {
-        Some(0) | None => stroke.to_vec(),
-        Some(start) => (0..=last).map(|step| stroke[(start + step) % last]).collect(),
-    };
-    let shift = start.unwrap_or(0);
-    let stops = (1..last).filter(|step| {
-        let i = if closed { (shift + step) % last } else { *step };
-        start.is_some() && fixed(i)
-    });
-    let mut nodes: Vec<Node> = vec![(points[0], None)];
-    let mut from = 0;
-    for stop in stops.chain([last]) {
-        let stretch = &points[from..=stop];
-        let ring = start.is_none();
-        match how {
-            Smoothing::Simplify => simplify::append(stretch, tolerance, &mut nodes),
-            Smoothing::Fit => fitting::append(stretch, ring, tolerance, &mut nodes),
+/// A stroke to be smoothed.
+#[derive(Clone, Copy)]
+struct Stroke<'a> {
+    points: &'a [DVec2],
+    /// Where other strokes end on it.
+    feet: &'a [Foot],
+    junctions: &'a Junctions,
+}
+
+impl Stroke<'_> {
+    fn smoothed(&self, how: Smoothing, tolerance: f64) -> Vec<Smoothed> {
+        let last = self.points.len() - 1;
+        let closed = is_closed(self.points);
+        // A closed stroke is looked at from a fixed point, if it has one; to
+        // be fitted, from a foot, so that there is no bend anywhere else.
+        let fixed = |vertex: usize| self.is_fixed(vertex, how, closed);
+        let start = if closed { (0..last).find(|&vertex| fixed(vertex)) } else { Some(0) };
+        let from_foot = start.is_none() && how == Smoothing::Fit && !self.feet.is_empty();
+        let ring = start.is_none() && self.feet.is_empty();
+        let places = Stretch::places(self.points, self.feet, start.unwrap_or(0), from_foot);
+        let mut nodes = vec![Smoothed { point: places.point(0), bend: None, index: None }];
+        let stops = (1..places.len()).filter(|&place| {
+            let vertex = places.vertex(place);
+            let inner = start.is_some() && vertex.is_some_and(fixed);
+            inner || place + 1 == places.len()
+        });
+        let mut from = 0;
+        for stop in stops {
+            let stretch = places.part(from, stop);
+            let fitted = (how == Smoothing::Fit).then(|| stretch.fitted(ring, tolerance)).flatten();
+            match fitted {
+                Some(fitted) => nodes.extend(fitted),
+                // Without a foot at its seam.
+                None if from_foot => return self.smoothed(Smoothing::Simplify, tolerance),
+                None => nodes.extend(stretch.simplified(tolerance)),
+            }
+            from = stop;
         }
-        from = stop;
+        nodes
     }
-    nodes
+
+    /// Whether a point stays where it is.
+    fn is_fixed(&self, vertex: usize, how: Smoothing, closed: bool) -> bool {
+        let (points, last) = (self.points, self.points.len() - 1);
+        let before = points[if vertex == 0 { last - 1 } else { vertex - 1 }];
+        let after = points[if vertex == last { 1 } else { vertex + 1 }];
+        let corner = how == Smoothing::Fit
+            && (closed || (0 < vertex && vertex < last))
+            && is_corner(before, points[vertex], after);
+        corner || self.junctions.holds(points[vertex])
+    }
 }
 
 #[cfg(test)]

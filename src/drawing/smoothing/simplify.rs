@@ -6,16 +6,22 @@
 //! convex; and as it runs from one end of the chord to the other, its nearest
 //! points on the chord are all of the chord.
 
-use super::Node;
+use super::Smoothed;
 use glam::DVec2;
 
-/// Appends the points of `stretch` after the first that are kept.
-pub(super) fn append(stretch: &[DVec2], tolerance: f64, nodes: &mut Vec<Node>) {
-    let mut pending = vec![(0, stretch.len() - 1)];
+/// Appends the points between two of `points` that are kept, and the second
+/// of the two.
+pub(super) fn append(
+    points: &[DVec2],
+    [first, last]: [usize; 2],
+    tolerance: f64,
+    nodes: &mut Vec<Smoothed>,
+) {
+    let mut pending = vec![(first, last)];
     while let Some((from, to)) = pending.pop() {
-        let (a, b) = (stretch[from], stretch[to]);
+        let (a, b) = (points[from], points[to]);
         let mut farthest = (tolerance, None);
-        for (index, point) in stretch.iter().enumerate().take(to).skip(from + 1) {
+        for (index, point) in points.iter().enumerate().take(to).skip(from + 1) {
             let distance = from_segment(*point, a, b);
             // A closed stretch has no chord: something of it is kept.
             let least = if a == b && farthest.1.is_none() { -1.0 } else { farthest.0 };
@@ -25,7 +31,7 @@ pub(super) fn append(stretch: &[DVec2], tolerance: f64, nodes: &mut Vec<Node>) {
         }
         match farthest.1 {
             Some(index) => pending.extend([(index, to), (from, index)]),
-            None => nodes.push((b, None)),
+            None => nodes.push(Smoothed { point: b, bend: None, index: Some(to) }),
         }
     }
 }

@@ -11,7 +11,7 @@ fn strokes(all: &[Vec<DVec2>]) -> Strokes {
 }
 
 fn smoothed(all: &[Vec<DVec2>], how: Smoothing, tolerance: f64) -> Strokes {
-    smooth(&[strokes(all)], how, tolerance).remove(0)
+    smooth(&[strokes(all)], how, tolerance, 0.0).remove(0)
 }
 
 /// The greatest distance of any of many points of `from` from `to`.
@@ -69,7 +69,7 @@ fn an_end_in_another_layer_is_a_junction_too() {
     let outline = arc(50.0, 0.0, 1.5, 60);
     let end = outline[20].lerp(outline[21], 0.3);
     let layers = [strokes(&[outline]), strokes(&[vec![DVec2::ZERO, end]])];
-    let all = smooth(&layers, Smoothing::Fit, 0.05);
+    let all = smooth(&layers, Smoothing::Fit, 0.05, 0.0);
     assert!(all[0].get(0).contains(&end));
 }
 

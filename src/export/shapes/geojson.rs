@@ -1,17 +1,27 @@
 //! GeoJSON (RFC 7946): the geometries that have an area.
 
-use super::{ShapeFile, ShapePart, number, opened};
+use super::{ShapeFile, ShapePart, line_of, number};
 use crate::export::ExportError;
 use crate::polygon::clipping::{FillRule, Rounded};
 use glam::DVec2;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
+use std::collections::BTreeMap;
 use std::fmt;
 
-/// The polygons of an object, each a list of rings.
-#[derive(Deserialize)]
+/// What is expected where an object has no area.
+const EXPECTED: &str =
+    "expected Polygon, MultiPolygon, Feature, FeatureCollection or GeometryCollection";
+
+/// What an object has.
+#[derive(Default, Deserialize)]
 #[serde(try_from = "Object")]
-struct Areas(Vec<Vec<Vec<DVec2>>>);
+struct Areas {
+    /// Polygons, each a list of rings.
+    polygons: Vec<Vec<Vec<DVec2>>>,
+    /// How many geometries of each kind have no area.
+    without_area: BTreeMap<&'static str, usize>,
+}
 
 /// Any object of the format.
 #[derive(Deserialize)]
@@ -30,24 +40,49 @@ enum Nested {
     List(Vec<Nested>),
 }
 
-/// Reads a file: the union of all polygons in it.
+/// Reads a file: the union of all polygons in it. Points and lines beside
+/// them are passed over.
 pub(super) fn read(bytes: &[u8]) -> Result<ShapeFile, ExportError> {
     let areas: Areas = serde_json::from_slice(bytes).map_err(|error| {
-        let text = error.to_string();
-        // The place is told apart from the message.
-        let message = text.split(" at line ").next().unwrap_or(&text).to_owned();
+        let message = plain(&error);
         // What is wrong with the whole object has no place of its own: it is
         // where the object begins.
         let line = if error.line() == 0 { first_line(bytes) } else { error.line() };
         ExportError::Shape { line, message }
     })?;
-    Ok(ShapeFile { parts: vec![ShapePart { polygons: areas.0, rule: FillRule::Polygons }] })
+    if let (true, Some(kind)) = (areas.polygons.is_empty(), areas.without_area.keys().next()) {
+        let message = format!("`{kind}` has no area, {EXPECTED}");
+        return Err(ExportError::Shape { line: first_line(bytes), message });
+    }
+    let mut file = ShapeFile::default();
+    let told = areas.without_area.iter();
+    let told = told.map(|(kind, count)| format!("passed over: {kind}, it has no area ({count})"));
+    file.warnings = told.collect();
+    file.parts = vec![ShapePart { polygons: areas.polygons, rule: FillRule::Polygons, clip: None }];
+    Ok(file)
+}
+
+/// What is wrong, without the place, which is told apart, in words that do
+/// not change with the library.
+fn plain(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" at line ").next().unwrap_or(&text);
+    if let Some(rest) = text.strip_prefix("EOF while parsing ") {
+        return format!("the file ends within {rest}, expected its end");
+    }
+    if let Some(rest) = text.strip_prefix("invalid type: ") {
+        return format!("{rest}, which stands here");
+    }
+    match text {
+        "recursion limit exceeded" => "values within one another, expected fewer levels".to_owned(),
+        "expected value" => "no value of JSON, expected one".to_owned(),
+        _ => text.to_owned(),
+    }
 }
 
 /// The line, from 1 on, of the first byte that is not space.
 fn first_line(bytes: &[u8]) -> usize {
-    let space = bytes.iter().take_while(|byte| byte.is_ascii_whitespace());
-    1 + space.filter(|&&byte| byte == b'\n').count()
+    line_of(bytes, bytes.iter().take_while(|byte| byte.is_ascii_whitespace()).count())
 }
 
 /// Writes polygons as one multi-polygon.
@@ -68,8 +103,6 @@ impl TryFrom<Object> for Areas {
     type Error = String;
 
     fn try_from(object: Object) -> Result<Self, String> {
-        const EXPECTED: &str = "expected Polygon, MultiPolygon, Feature, FeatureCollection or \
-            GeometryCollection";
         let Some(kind) = object.kind else {
             return Err(format!("an object without a `type`, {EXPECTED}"));
         };
@@ -79,22 +112,37 @@ impl TryFrom<Object> for Areas {
         };
         let all = |list: Option<Vec<Areas>>, name: &str| {
             let missing = format!("a {kind} without `{name}`");
-            let list = list.ok_or(missing)?;
-            Ok(Areas(list.into_iter().flat_map(|areas| areas.0).collect()))
+            Ok(list.ok_or(missing)?.into_iter().fold(Areas::default(), Areas::and))
         };
+        let polygons = |polygons| Areas { polygons, ..Areas::default() };
+        let none = |kind| Areas { without_area: BTreeMap::from([(kind, 1)]), ..Areas::default() };
         match kind.as_str() {
-            "Polygon" => Ok(Areas(vec![polygon(coordinates()?)?])),
+            "Polygon" => Ok(polygons(vec![polygon(coordinates()?)?])),
             "MultiPolygon" => {
                 let Nested::List(list) = coordinates()? else {
                     return Err("a position, expected a list of polygons".to_owned());
                 };
-                Ok(Areas(list.iter().map(polygon).collect::<Result<_, _>>()?))
+                Ok(polygons(list.iter().map(polygon).collect::<Result<_, _>>()?))
             }
-            "Feature" => Ok(object.geometry.unwrap_or(Areas(Vec::new()))),
+            "Point" => Ok(none("Point")),
+            "MultiPoint" => Ok(none("MultiPoint")),
+            "LineString" => Ok(none("LineString")),
+            "MultiLineString" => Ok(none("MultiLineString")),
+            "Feature" => Ok(object.geometry.unwrap_or_default()),
             "FeatureCollection" => all(object.features, "features"),
             "GeometryCollection" => all(object.geometries, "geometries"),
             other => Err(format!("`{other}` has no area, {EXPECTED}")),
         }
+    }
+}
+
+impl Areas {
+    fn and(mut self, other: Self) -> Self {
+        self.polygons.extend(other.polygons);
+        for (kind, count) in other.without_area {
+            *self.without_area.entry(kind).or_default() += count;
+        }
+        self
     }
 }
 
@@ -113,7 +161,12 @@ fn ring(nested: &Nested) -> Result<Vec<DVec2>, String> {
         Nested::Position(position) => Ok(*position),
         Nested::List(_) => Err("a list, expected a position: [x, y]".to_owned()),
     };
-    Ok(opened(positions.iter().map(position).collect::<Result<_, _>>()?))
+    let mut ring: Vec<DVec2> = positions.iter().map(position).collect::<Result<_, _>>()?;
+    // The last position repeats the first.
+    if ring.len() > 1 && ring.first() == ring.last() {
+        ring.pop();
+    }
+    Ok(ring)
 }
 
 impl<'de> Deserialize<'de> for Nested {

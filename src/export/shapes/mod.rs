@@ -1,20 +1,21 @@
-//! Polygons as files: GeoJSON and SVG paths, in and out.
+//! Polygons as files: GeoJSON and SVG, in and out.
 //!
-//! Coordinates are taken as they are written and written as they are, with
-//! as many digits as it takes to read the same doubles again. What is inside
-//! follows from the file: GeoJSON's polygons by their own rule, SVG's paths
-//! by their `fill-rule`.
+//! GeoJSON's coordinates are taken as they are written and written as they
+//! are, with as many digits as it takes to read the same doubles again. SVG
+//! is read as it is displayed and becomes millimetres of its page. What is
+//! inside follows from the file: GeoJSON's polygons by their own rule, SVG's
+//! shapes by their `fill-rule`.
 
 #[cfg(feature = "json")]
 mod geojson;
+mod shape_file;
 #[cfg(feature = "svg")]
-mod path_data;
-#[cfg(feature = "svg")]
-mod svg_paths;
+mod svg;
+
+pub use shape_file::{ClipId, ShapeFile, ShapePage, ShapePart};
 
 use super::ExportError;
-use crate::polygon::clipping::{FillRule, Operation, PlaneShape, Rounded, ShapeError};
-use glam::DVec2;
+use crate::polygon::clipping::Rounded;
 use std::path::Path;
 
 /// A format of polygons.
@@ -22,24 +23,48 @@ use std::path::Path;
 pub enum ShapeFormat {
     /// Polygons, multi-polygons, features and collections of them.
     GeoJson,
-    /// Paths and polygons of an SVG.
+    /// What an SVG displays as filled.
     Svg,
 }
 
-/// What is filled by one rule.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ShapePart {
-    /// Polygons of rings, not closed by a repeated corner.
-    pub polygons: Vec<Vec<Vec<DVec2>>>,
-    /// The rule.
-    pub rule: FillRule,
+/// How SVG becomes polygons.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShapeOptions {
+    /// Curves become chords that are nowhere farther from them, in
+    /// millimetres; more than 0.
+    pub flatness: f64,
+    /// The grid of places, in millimetres; 0 for none. If nothing is said,
+    /// what units and transforms convert is rounded to [`Self::GRID`] and
+    /// what is written in millimetres is taken as it is.
+    pub snap: Option<f64>,
+    /// Whether what lies off the page is taken too.
+    pub off_page: bool,
 }
 
-/// The polygons of a file: the union of its parts.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ShapeFile {
-    /// One part of a GeoJSON file, one for each path of an SVG.
-    pub parts: Vec<ShapePart>,
+impl ShapeOptions {
+    /// The grid of converted places, mm: a file that writes eight digits of
+    /// its pixels means a place this well.
+    pub const GRID: f64 = 1e-5;
+
+    /// How near chords are to their curves, mm, unless something else is
+    /// asked for.
+    pub const FLATNESS: f64 = 0.005;
+
+    #[cfg(feature = "svg")]
+    fn grid_of_converted(&self) -> Option<f64> {
+        Some(self.snap.unwrap_or(Self::GRID)).filter(|grid| *grid > 0.0)
+    }
+
+    #[cfg(feature = "svg")]
+    fn grid_of_written(&self) -> Option<f64> {
+        self.snap.filter(|grid| *grid > 0.0)
+    }
+}
+
+impl Default for ShapeOptions {
+    fn default() -> Self {
+        ShapeOptions { flatness: Self::FLATNESS, snap: None, off_page: false }
+    }
 }
 
 impl ShapeFormat {
@@ -69,34 +94,70 @@ impl ShapeFormat {
         }
     }
 
-    /// Reads polygons.
+    /// Reads polygons with the usual options.
     ///
     /// # Errors
     ///
-    /// Where the text is not of the format, holds what is no polygon, or
-    /// this build has no such format.
+    /// As [`Self::read_with`].
     pub fn read(self, bytes: &[u8]) -> Result<ShapeFile, ExportError> {
+        self.read_with(bytes, &ShapeOptions::default())
+    }
+
+    /// Reads polygons. What has no area is passed over, and told in the
+    /// file's warnings.
+    ///
+    /// # Errors
+    ///
+    /// Where the text is not of the format, cannot be understood, or this
+    /// build has no such format.
+    pub fn read_with(self, bytes: &[u8], options: &ShapeOptions) -> Result<ShapeFile, ExportError> {
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            let message = "the text is UTF-16, expected UTF-8".to_owned();
+            return Err(ExportError::Shape { line: 1, message });
+        }
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         match self {
             #[cfg(feature = "json")]
-            ShapeFormat::GeoJson => geojson::read(bytes),
+            ShapeFormat::GeoJson => {
+                let _ = options;
+                geojson::read(bytes)
+            }
             #[cfg(feature = "svg")]
-            ShapeFormat::Svg => svg_paths::read(bytes),
+            ShapeFormat::Svg => svg::read(bytes, options),
             #[cfg(not(all(feature = "json", feature = "svg")))]
             _ => Err(self.missing()),
         }
     }
 
-    /// Writes polygons.
+    /// Writes polygons: a multi-polygon, or a page in millimetres that is as
+    /// large as they are.
     ///
     /// # Errors
     ///
     /// Where this build has no such format.
     pub fn write(self, polygons: &Rounded) -> Result<String, ExportError> {
+        self.write_on(polygons, None)
+    }
+
+    /// Writes polygons, on a page if the format has pages. It is made larger
+    /// where they lie beyond it.
+    ///
+    /// # Errors
+    ///
+    /// Where this build has no such format.
+    pub fn write_on(
+        self,
+        polygons: &Rounded,
+        page: Option<ShapePage>,
+    ) -> Result<String, ExportError> {
         match self {
             #[cfg(feature = "json")]
-            ShapeFormat::GeoJson => Ok(geojson::write(polygons)),
+            ShapeFormat::GeoJson => {
+                let _ = page;
+                Ok(geojson::write(polygons))
+            }
             #[cfg(feature = "svg")]
-            ShapeFormat::Svg => Ok(svg_paths::write(polygons)),
+            ShapeFormat::Svg => Ok(svg::write(polygons, page)),
             #[cfg(not(all(feature = "json", feature = "svg")))]
             _ => Err(self.missing()),
         }
@@ -108,27 +169,6 @@ impl ShapeFormat {
     }
 }
 
-impl ShapeFile {
-    /// The shape of all parts together: each by its own rule, or by one rule
-    /// for all rings of the file.
-    ///
-    /// # Errors
-    ///
-    /// Where a coordinate is not finite, or there are too many.
-    pub fn shape(&self, rule: Option<FillRule>) -> Result<PlaneShape, ShapeError> {
-        if let (None, [part]) = (rule, &*self.parts) {
-            return PlaneShape::new(&part.polygons, part.rule);
-        }
-        if let Some(rule) = rule {
-            let all = self.parts.iter().flat_map(|part| part.polygons.iter().cloned());
-            return PlaneShape::new(&all.collect::<Vec<_>>(), rule);
-        }
-        let shapes = self.parts.iter().map(|part| PlaneShape::new(&part.polygons, part.rule));
-        let shapes = shapes.collect::<Result<Vec<_>, _>>()?;
-        PlaneShape::operation(Operation::Union, &shapes.iter().collect::<Vec<_>>())
-    }
-}
-
 /// A number that reads as the same double, without a sign for zero.
 #[cfg(any(feature = "json", feature = "svg"))]
 fn number(value: f64) -> String {
@@ -137,18 +177,16 @@ fn number(value: f64) -> String {
     if plain.len() <= short.len() + 8 { plain } else { short }
 }
 
-/// A ring without a last corner that repeats the first.
+/// The line, from 1 on, of a byte.
 #[cfg(any(feature = "json", feature = "svg"))]
-fn opened(mut ring: Vec<DVec2>) -> Vec<DVec2> {
-    if ring.len() > 1 && ring.first() == ring.last() {
-        ring.pop();
-    }
-    ring
+fn line_of(bytes: &[u8], place: usize) -> usize {
+    1 + bytes[..place].iter().filter(|&&byte| byte == b'\n').count()
 }
 
 #[cfg(all(test, feature = "json", feature = "svg"))]
 mod tests {
     use super::*;
+    use crate::polygon::clipping::FillRule;
     use glam::dvec2;
 
     fn read(format: ShapeFormat, text: &str) -> Result<ShapeFile, String> {
@@ -196,7 +234,8 @@ mod tests {
 
     #[test]
     fn paths_have_their_own_rules() {
-        let text = r#"<svg xmlns="http://www.w3.org/2000/svg"><g fill-rule="evenodd">
+        let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="10mm"
+            viewBox="0 0 30 10"><g fill-rule="evenodd">
             <path d="M0 0H4V4H0zM1 1h2v2h-2z"/>
             <path style="fill:red; fill-rule: nonzero" d="m10,0 4,0 0,4-4,0zm1,1 2 0 0 2-2 0z"/></g>
             <polygon points="20,0 21,0 21,1 20,1"/><defs><path d="M0 0L9 9L9 0z"/></defs></svg>"#;
@@ -221,16 +260,12 @@ mod tests {
             (ShapeFormat::GeoJson, "{\"type\": \"Polygon\"}", "coordinates"),
             (ShapeFormat::GeoJson, "{}", "type"),
             (ShapeFormat::GeoJson, "", "line 1"),
-            (ShapeFormat::Svg, "<svg>\n<path d=\"M0 0C1 1 2 2 3 3z\"/></svg>", "line 2"),
+            (ShapeFormat::Svg, "<svg>\n<path d=\"M0 0C1 1 2 2 3z\"/></svg>", "line 2"),
             (ShapeFormat::Svg, "<svg>\n<path d=\"L0 0\"/></svg>", "line 2"),
             (ShapeFormat::Svg, "<svg>\n<path d=\"M0 x\"/></svg>", "line 2"),
             (ShapeFormat::Svg, "<svg>\n<path d=\"M0\"/></svg>", "line 2"),
-            (
-                ShapeFormat::Svg,
-                "<svg>\n\n<g transform=\"scale(2)\"><path d=\"M0 0\"/></g></svg>",
-                "line 3",
-            ),
-            (ShapeFormat::Svg, "<svg>\n<circle r=\"1\"/></svg>", "expected"),
+            (ShapeFormat::Svg, "<svg>\n\n<g transform=\"big(2)\"/></svg>", "line 3"),
+            (ShapeFormat::Svg, "<svg>\n<circle r=\"large\"/></svg>", "expected"),
             (ShapeFormat::Svg, "<svg>\n<path d=\"M0 0H1\"></svg>", "line"),
             (ShapeFormat::Svg, "<svg><path d=\"M0 1e999\"/></svg>", "1e999"),
         ];

@@ -1,5 +1,4 @@
-//! Integers of any size: the last step of the ladder, for scenes whose
-//! coordinates span more binary orders than a fixed width holds.
+//! Integers of any size: for quotients, and for checking the others.
 
 use super::{Ring, Sign, Significand};
 use dashu_int::{IBig, UBig};
@@ -14,6 +13,11 @@ impl BigInteger {
     /// The sign.
     pub fn sign(&self) -> Sign {
         self.0.cmp(&IBig::ZERO).into()
+    }
+
+    /// A library's integer.
+    pub(super) fn of(value: IBig) -> Self {
+        BigInteger(value)
     }
 
     /// The integer of some words, the least first, with a sign.

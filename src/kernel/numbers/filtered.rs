@@ -71,6 +71,22 @@ impl Filtered {
     }
 }
 
+impl Filtered {
+    /// The sign of a value that may be off by something more than rounding,
+    /// and is not of integers.
+    #[inline]
+    pub fn sign_beyond(self, more: f64) -> Option<Sign> {
+        let bound = self.bound() + more;
+        if self.value > bound {
+            Some(Sign::Positive)
+        } else if self.value < -bound {
+            Some(Sign::Negative)
+        } else {
+            None
+        }
+    }
+}
+
 impl Ring for Filtered {
     const IN_PLACE: bool = true;
 

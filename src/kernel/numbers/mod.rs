@@ -5,21 +5,26 @@
 //! polynomial is written once, generic over [`Ring`], and evaluated with
 //! one number type after the other until the sign is certain: first
 //! [`Filtered`], then a [`SmallInteger`] or [`FixedInteger`] that is wide
-//! enough, then [`BigInteger`]. All rounding analysis of the crate is in [`Filtered`].
+//! enough, then [`Dyadic`]. All rounding analysis of the crate is in [`Filtered`].
 
 mod big;
+mod dyadic;
 mod filtered;
 mod fixed;
 mod fraction;
+mod quotient;
+mod residue;
 mod sign;
 mod significand;
 mod small;
 
 pub use big::BigInteger;
 pub(crate) use big::scale_by_power_of_two;
+pub use dyadic::Dyadic;
 pub use filtered::Filtered;
 pub use fixed::FixedInteger;
 pub use fraction::Fraction;
+pub(crate) use residue::Residue;
 pub use sign::Sign;
 pub(crate) use significand::Significand;
 pub use small::SmallInteger;
@@ -31,7 +36,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// Coordinates are integers once the scene is scaled by a power of two.
 /// Scenes whose coordinates span too many binary orders are not scaled;
 /// then a coordinate is an integer times `2^unit`, and only
-/// [`BigInteger`] reads it exactly.
+/// [`Dyadic`] and [`BigInteger`] read it exactly.
 pub trait Ring:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {

@@ -8,6 +8,7 @@
 //! differences do, and then takes half as many steps. Wider values are better off with [`super::FixedInteger`], which counts
 //! its words. Overflow is excluded by the caller; a debug build checks it.
 
+use super::quotient::Leading;
 use super::{BigInteger, Ring, Sign, Significand};
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -67,8 +68,69 @@ impl<const N: usize> SmallInteger<N> {
         BigInteger::of_words(self.is_negative(), &size.words)
     }
 
+    /// The first 106 bits of the absolute value.
+    pub(super) fn leading(&self) -> Leading {
+        let size = if self.is_negative() { -*self } else { *self };
+        let Some(top) = (0..N).rev().find(|&i| size.words[i] != 0) else {
+            return Leading { high: 0.0, low: 0.0, exponent: 0 };
+        };
+        let below = |by: usize| if top >= by { size.words[top - by] } else { 0 };
+        let two = u128::from(size.words[top]) << 64 | u128::from(below(1));
+        let shift = size.words[top].leading_zeros();
+        // In two steps, for a shift by 64 is not defined.
+        let bits = two << shift | u128::from(below(2) >> 1 >> (63 - shift));
+        let mask = (1_u64 << 53) - 1;
+        Leading {
+            high: (bits >> 75) as u64 as f64,
+            low: ((bits >> 22) as u64 & mask) as f64 / (mask + 1) as f64,
+            exponent: 64 * top as i32 + 11 - shift as i32,
+        }
+    }
+
+    /// The product with a number of another width, in a width that holds it.
     #[inline(always)]
-    fn is_negative(&self) -> bool {
+    pub fn wide_product<const M: usize, const K: usize>(
+        &self,
+        other: &SmallInteger<M>,
+    ) -> SmallInteger<K> {
+        let a = if self.is_negative() { -*self } else { *self };
+        let b = if other.is_negative() { -*other } else { *other };
+        let mut words = [0; K];
+        for (i, word) in a.words.iter().enumerate() {
+            let mut carry = 0_u64;
+            for (j, factor) in b.words.iter().enumerate() {
+                let wide = u128::from(*word) * u128::from(*factor)
+                    + u128::from(words.get(i + j).copied().unwrap_or(0))
+                    + u128::from(carry);
+                if let Some(place) = words.get_mut(i + j) {
+                    *place = wide as u64;
+                } else {
+                    debug_assert!(wide == 0, "a product exceeds the width");
+                }
+                carry = (wide >> 64) as u64;
+            }
+            if let Some(place) = words.get_mut(i + M) {
+                *place = carry;
+            } else {
+                debug_assert!(carry == 0, "a product exceeds the width");
+            }
+        }
+        let product = SmallInteger { words };
+        debug_assert!(!product.is_negative(), "a product exceeds the width");
+        if self.is_negative() == other.is_negative() { product } else { -product }
+    }
+
+    /// The same number in more words.
+    #[inline(always)]
+    pub fn widened<const K: usize>(&self) -> SmallInteger<K> {
+        let extension = if self.is_negative() { u64::MAX } else { 0 };
+        let mut words = [extension; K];
+        words[..N].copy_from_slice(&self.words);
+        SmallInteger { words }
+    }
+
+    #[inline(always)]
+    pub(super) fn is_negative(&self) -> bool {
         self.words[N - 1] >> 63 == 1
     }
 

@@ -20,6 +20,25 @@ pub struct Piercing {
     pub face: [u32; 3],
 }
 
+impl Piercing {
+    /// The same point under the one name that does not depend on the order of
+    /// the face's corners and on their winding.
+    #[must_use]
+    pub fn canonical(self) -> Self {
+        let (face, is_odd) = sorted(self.face);
+        let [a, b] = self.edge;
+        Piercing { edge: if is_odd { [b, a] } else { [a, b] }, face }
+    }
+}
+
+/// Corners in ascending order, and whether that turns them the other way.
+fn sorted([a, b, c]: [u32; 3]) -> ([u32; 3], bool) {
+    let mut corners = [a, b, c];
+    corners.sort_unstable();
+    let is_turned = [[a, b, c], [b, c, a], [c, a, b]].contains(&corners);
+    (corners, !is_turned)
+}
+
 /// An input vertex or a piercing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Point {
@@ -76,6 +95,20 @@ pub enum Cut {
     NearLine([u32; 3]),
 }
 
+impl Cut {
+    /// The same plane under the one name that does not depend on the order of
+    /// vertices; its sides may change.
+    #[must_use]
+    pub fn canonical(self) -> Self {
+        match self {
+            Cut::Face(face) => Cut::Face(sorted(face).0),
+            Cut::Silhouette([a, b]) => Cut::Silhouette([a.min(b), a.max(b)]),
+            Cut::NearLine(face) => Cut::NearLine(sorted(face).0),
+            Cut::Vertex(..) | Cut::Near => self,
+        }
+    }
+}
+
 /// A point of a carrier: an end or a cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {
@@ -96,4 +129,39 @@ pub enum Probe {
     /// Some point between two places, for parts shorter than a float can
     /// divide.
     Between([Place; 2]),
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::numbers::Sign;
+    use crate::kernel::predicates::{Exact, Eye, Points, Predicates};
+    use glam::DVec3;
+
+    #[test]
+    fn a_piercing_has_one_name_whatever_the_order_of_corners() {
+        let vertices = [
+            DVec3::X,
+            DVec3::Y,
+            DVec3::ZERO,
+            DVec3::new(0.2, 0.3, -1.0),
+            DVec3::new(0.1, 0.1, 2.0),
+        ];
+        let points = Points::new(&vertices, Eye::Towards(DVec3::Z), None);
+        let predicates = Predicates::<Exact>::new(&points);
+        let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+        let names = orders.map(|face| {
+            let edge = match predicates.plane(face, 3) {
+                Sign::Negative => [3, 4],
+                _ => [4, 3],
+            };
+            Piercing { edge, face }.canonical()
+        });
+        assert_eq!(names[0].face, [0, 1, 2]);
+        assert!(names.iter().all(|name| *name == names[0]));
+        assert_eq!(predicates.plane(names[0].face, names[0].edge[0]), Sign::Negative);
+        let cuts = orders.map(|face| Cut::Face(face).canonical());
+        assert!(cuts.iter().all(|cut| *cut == cuts[0]));
+        assert_eq!(Cut::Silhouette([7, 2]).canonical(), Cut::Silhouette([2, 7]));
+    }
 }

@@ -131,6 +131,11 @@ impl Chart {
         Some(Chart { projection, spread: points.spread() })
     }
 
+    /// The same chart of a scene whose coordinates have so many bits.
+    pub(super) fn of_spread(&self, spread: u32) -> Self {
+        Chart { spread, ..*self }
+    }
+
     /// Whether the chart is the plane of x and y itself.
     pub fn is_flat(&self) -> bool {
         matches!(self.projection, Projection::Flat)

@@ -7,7 +7,7 @@
 
 use super::formula::{Orientation, Side};
 use super::ray::InFront;
-use super::{Formula, Policy, Predicates};
+use super::{Formula, Piercing, Policy, Predicates};
 use crate::kernel::numbers::Filtered;
 
 /// A float and how far from it the true value may be, in units that
@@ -23,11 +23,16 @@ pub struct Estimate {
 
 impl<P: Policy> Predicates<'_, P> {
     fn estimate<F: Formula>(&self, formula: &F) -> Estimate {
-        if !self.points().floats_hold(formula.bits(self.points().spread())) {
+        let points = self.points();
+        let more = match points.is_narrow() {
+            true => points.floats_hold(formula.bits(points.spread())).then_some(0.0),
+            false => points.underflow(formula),
+        };
+        let Some(more) = more else {
             return Estimate { value: 0.0, bound: f64::INFINITY };
-        }
-        let value = formula.evaluate::<Filtered>(self.points());
-        Estimate { value: value.value(), bound: value.bound() }
+        };
+        let value = formula.evaluate::<Filtered>(points);
+        Estimate { value: value.value(), bound: value.bound() + more }
     }
 
     /// The value whose sign is [`Self::side`].
@@ -38,6 +43,18 @@ impl<P: Policy> Predicates<'_, P> {
     /// The value whose sign is [`Self::plane`].
     pub fn plane_estimate(&self, face: [u32; 3], x: u32) -> Estimate {
         self.estimate(&Orientation(face, x))
+    }
+
+    /// How far along its edge a piercing lies, from 0 to 1; nothing where
+    /// floats cannot tell.
+    pub fn share_estimate(&self, piercing: Piercing) -> Option<Estimate> {
+        let [a, b] = piercing.edge.map(|end| self.plane_estimate(piercing.face, end));
+        let (x, y) = (a.value.abs(), b.value.abs());
+        // The values have different signs, so the share is x / (x + y).
+        let least = x + y - (a.bound + b.bound);
+        let off = (a.bound * (y + b.bound) + b.bound * (x + a.bound)) / (least * least);
+        let bound = 1.001 * off + 4.0 * f64::EPSILON;
+        (least > 0.0 && bound < 1.0).then(|| Estimate { value: x / (x + y), bound })
     }
 
     /// The value that is positive, once multiplied with the triangle's

@@ -50,6 +50,50 @@ struct FoldFormula {
     part: Part,
 }
 
+/// `(m.n)^2 - cos^2 m^2 n^2` times the square of the threshold's unit.
+#[inline(always)]
+fn excess<R: Ring>(m: [R; 3], n: [R; 3], threshold: FoldThreshold) -> R {
+    let one = R::read(f64::powi(2.0, COSINE_BITS), 0);
+    let cosine = R::read(threshold.cosine, 0);
+    let left = one * dot(m.clone(), n.clone());
+    let squares = dot(m.clone(), m) * dot(n.clone(), n);
+    left.clone() * left - cosine.clone() * cosine * squares
+}
+
+/// The bits of [`excess`] for normals of the second degree.
+fn bits_of_excess(degree: u32, spread: u32) -> u32 {
+    // Eight more for the sums of three squares each.
+    degree * (spread + 2) + 8 + 2 * (COSINE_BITS as u32 + 2)
+}
+
+/// [`excess`] of the normals of two faces.
+struct PlaneAngle {
+    faces: [[u32; 3]; 2],
+    threshold: FoldThreshold,
+}
+
+impl Formula for PlaneAngle {
+    const PREDICATE: Predicate = Predicate::Fold;
+
+    fn degree(&self) -> u32 {
+        8
+    }
+
+    fn bits(&self, spread: u32) -> u32 {
+        bits_of_excess(self.degree(), spread)
+    }
+
+    fn evaluate<R: Ring>(&self, points: &Points) -> R {
+        let normal = |[a, b, c]: [u32; 3]| {
+            let origin = points.vertex::<R>(a);
+            let offset = |vertex| difference(points.vertex(vertex), &origin);
+            cross(offset(b), offset(c))
+        };
+        let [m, n] = self.faces.map(normal);
+        excess(m, n, self.threshold)
+    }
+}
+
 impl Formula for FoldFormula {
     const PREDICATE: Predicate = Predicate::Fold;
 
@@ -61,8 +105,7 @@ impl Formula for FoldFormula {
     }
 
     fn bits(&self, spread: u32) -> u32 {
-        // Eight more for the sums of three squares each.
-        self.degree() * (spread + 2) + 8 + 2 * (COSINE_BITS as u32 + 2)
+        bits_of_excess(self.degree(), spread)
     }
 
     #[inline(always)]
@@ -72,16 +115,9 @@ impl Formula for FoldFormula {
         let (edge, c, d) = (offset(self.edge[1]), offset(self.thirds[0]), offset(self.thirds[1]));
         let m = cross(edge.clone(), c);
         let n = cross(edge, d);
-        let product = dot(m.clone(), n.clone());
         match self.part {
-            Part::Product => product,
-            Part::Excess(threshold) => {
-                let one = R::read(f64::powi(2.0, COSINE_BITS), 0);
-                let cosine = R::read(threshold.cosine, 0);
-                let left = one * product;
-                let squares = dot(m.clone(), m) * dot(n.clone(), n);
-                left.clone() * left - cosine.clone() * cosine * squares
-            }
+            Part::Product => dot(m, n),
+            Part::Excess(threshold) => excess(m, n, threshold),
         }
     }
 }
@@ -115,6 +151,18 @@ impl Fold {
                 if wide { excess == Sign::Positive } else { excess == Sign::Negative }
             }
         };
+        Fold { exceeds }
+    }
+
+    /// Measures the angle, of at most 90 degrees, at which the planes of two
+    /// faces cross: of the four folds that they make the two lesser ones.
+    pub fn of_planes<P: Policy>(
+        predicates: &Predicates<'_, P>,
+        faces: [[u32; 3]; 2],
+        threshold: FoldThreshold,
+    ) -> Self {
+        let formula = PlaneAngle { faces, threshold };
+        let exceeds = 0.0 < threshold.cosine && predicates.decide(&formula) == Sign::Negative;
         Fold { exceeds }
     }
 }

@@ -8,7 +8,7 @@
 //! below is correct for vertices and piercings alike, at a degree that
 //! grows by three per piercing.
 
-use super::{Carrier, Cut, Place, Point, Points};
+use super::{Carrier, Cut, Piercing, Place, Point, Points};
 use crate::kernel::numbers::{Ring, determinant3, difference, dot, piece};
 
 /// Names of the predicates, for counting.
@@ -165,13 +165,19 @@ fn at_point<R: Ring>(points: &Points, point: Point, f: &dyn Fn(u32) -> R) -> R {
         match point {
             Point::Vertex(vertex) => f(vertex),
             Point::Piercing(piercing) => {
-                let ([a, b], [x, y, z]) = (piercing.edge, piercing.face);
-                let below = orientation::<R>(points, x, y, z, a);
-                let above = orientation::<R>(points, x, y, z, b);
+                let ([a, b], [below, above]) = (piercing.edge, beside::<R>(points, piercing));
                 above * f(a) - below * f(b)
             }
         }
     )
+}
+
+/// The functional of a piercing's face at the ends of its edge: not above
+/// zero, and not below.
+#[inline(always)]
+pub(super) fn beside<R: Ring>(points: &Points, piercing: Piercing) -> [R; 2] {
+    let ([a, b], [x, y, z]) = (piercing.edge, piercing.face);
+    [orientation::<R>(points, x, y, z, a), orientation::<R>(points, x, y, z, b)]
 }
 
 /// The positive weight of a point: one for a vertex.
@@ -190,7 +196,7 @@ pub(super) fn weight_degree(point: Point) -> u32 {
 /// The functional of a cut at a vertex. Its sign tells the sides of the
 /// plane apart; for a face it is `[a, b, c, x]`, for an edge `[E, a, b, x]`.
 #[inline(always)]
-fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
+pub(super) fn cut_at_vertex<R: Ring>(points: &Points, cut: Cut, x: u32) -> R {
     piece!(
         R,
         match cut {

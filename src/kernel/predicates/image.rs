@@ -18,7 +18,7 @@
 use super::chart::Bits;
 use super::{Chart, Formula, ImageLine, ImagePoint, Points, Policy, Predicate, Predicates};
 use crate::kernel::numbers::{
-    BigInteger, Filtered, Ring, Sign, SmallInteger, cross, dot, scale_by_power_of_two,
+    BigInteger, Dyadic, Filtered, Ring, Sign, SmallInteger, cross, dot, scale_by_power_of_two,
 };
 use std::cmp::Ordering;
 
@@ -32,6 +32,26 @@ pub struct Approximation {
     pub error: f64,
 }
 
+impl Approximation {
+    /// Compares two points in the order of [`Predicates::sweep`], if the floats
+    /// are good enough.
+    #[inline]
+    pub fn compare(&self, other: &Self) -> Option<Ordering> {
+        // The sum rounds, so a little is added to it.
+        let error = (self.error + other.error) * 1.000_001;
+        for i in 0..2 {
+            let difference = self.place[i] - other.place[i];
+            if difference.abs() > error {
+                return Some(if difference < 0.0 { Ordering::Less } else { Ordering::Greater });
+            }
+            if error != 0.0 {
+                return None;
+            }
+        }
+        Some(Ordering::Equal)
+    }
+}
+
 /// `l . p`.
 struct Beside<'c>(&'c Chart, ImageLine, ImagePoint);
 
@@ -42,8 +62,9 @@ impl Formula for Beside<'_> {
         6
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        self.0.line_bits(self.1).dot(self.0.point_bits(self.2))
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        chart.line_bits(self.1).dot(chart.point_bits(self.2))
     }
 
     #[inline(always)]
@@ -62,9 +83,10 @@ impl Formula for Bend<'_> {
         5
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        let [first, second] = self.1.map(|line| self.0.line_bits(line));
-        first.cross(second).dot(self.0.key_bits())
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        let [first, second] = self.1.map(|line| chart.line_bits(line));
+        first.cross(second).dot(chart.key_bits())
     }
 
     #[inline(always)]
@@ -88,9 +110,10 @@ impl Formula for Sweep<'_> {
         9
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        let [first, second] = self.1.map(|point| self.0.point_bits(point));
-        first.cross(second).dot(self.0.key_bits())
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        let [first, second] = self.1.map(|point| chart.point_bits(point));
+        first.cross(second).dot(chart.key_bits())
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
@@ -110,8 +133,9 @@ impl Formula for Run<'_> {
         3
     }
 
-    fn bits(&self, _: u32) -> u32 {
-        self.0.line_bits(self.1).dot(self.0.key_bits())
+    fn bits(&self, spread: u32) -> u32 {
+        let chart = self.0.of_spread(spread);
+        chart.line_bits(self.1).dot(chart.key_bits())
     }
 
     fn evaluate<R: Ring>(&self, points: &Points) -> R {
@@ -223,8 +247,8 @@ impl<P: Policy> Predicates<'_, P> {
             256..=383 => quotients::<6>(chart, points, point),
             384..=511 => quotients::<8>(chart, points, point),
             _ => {
-                let (parts, weight) = ratio::<BigInteger>(chart, points, point);
-                return parts.map(|part| BigInteger::scaled_ratio(&part, &weight, exponent));
+                let (parts, weight) = ratio::<Dyadic>(chart, points, point);
+                return parts.map(|part| Dyadic::scaled_ratio(&part, &weight, exponent));
             }
         };
         quotients.map(|quotient| scale_by_power_of_two(quotient, exponent.into()))

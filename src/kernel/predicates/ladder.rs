@@ -2,10 +2,10 @@
 
 use super::formula::{
     AlongImage, Between, Combination, Depth, ImageSide, Located, Order, Orientation, Side, Skew,
-    SkewCarriers, Turn, Value, Weighted,
+    SkewCarriers, Turn, Value,
 };
 use super::{Carrier, Cut, Formula, Place, Point, Points, Predicate};
-use crate::kernel::numbers::{BigInteger, Filtered, FixedInteger, Sign, SmallInteger};
+use crate::kernel::numbers::{BigInteger, Dyadic, Filtered, FixedInteger, Sign, SmallInteger};
 use crate::run::Counters;
 use std::cell::Cell;
 use std::cmp::Ordering;
@@ -84,12 +84,11 @@ impl Policy for Exact {
     #[inline(always)]
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
         // Floats too small for a value have an infinite bound.
-        if points.is_narrow()
-            && let Some(sign) = value.sign()
-        {
-            return sign;
-        }
-        exact_sign(points, formula, tally)
+        let sign = match points.is_narrow() {
+            true => value.sign(),
+            false => wide_sign(points, formula, value),
+        };
+        sign.unwrap_or_else(|| exact_sign(points, formula, tally))
     }
 }
 
@@ -135,8 +134,12 @@ impl Policy for Thorough {
     fn resolve<F: Formula>(points: &Points, formula: &F, value: Filtered, tally: &Tally) -> Sign {
         let truth = formula.evaluate::<BigInteger>(points).sign();
         let bits = formula.bits(points.spread());
-        let filtered = if points.is_narrow() { value.sign() } else { None };
+        let filtered = match points.is_narrow() {
+            true => value.sign(),
+            false => wide_sign(points, formula, value),
+        };
         let mut agree = filtered.is_none_or(|sign| sign == truth);
+        agree &= formula.evaluate::<Dyadic>(points).sign() == truth;
         if points.is_narrow() {
             let holds = |width: u32| bits <= width;
             agree &= !holds(191) || formula.evaluate::<SmallInteger<3>>(points).sign() == truth;
@@ -192,15 +195,16 @@ fn exact_sign<F: Formula>(points: &Points, formula: &F, tally: &Tally) -> Sign {
     tally.failures[name].set(tally.failures[name].get() + 1);
     in_narrowest!(formula, points, |value| value.sign()).unwrap_or_else(|| {
         tally.big[name].set(tally.big[name].get() + 1);
-        formula.evaluate::<BigInteger>(points).sign()
+        formula.evaluate::<Dyadic>(points).sign()
     })
 }
 
-/// The value of `formula`.
+/// The sign of a float, if it is certain in a scene whose coordinates are no
+/// integers.
+#[cold]
 #[inline(never)]
-fn exact_value<F: Formula>(points: &Points, formula: &F) -> BigInteger {
-    in_narrowest!(formula, points, |value| value.to_big())
-        .unwrap_or_else(|| formula.evaluate(points))
+fn wide_sign<F: Formula>(points: &Points, formula: &F, value: Filtered) -> Option<Sign> {
+    value.sign_beyond(points.underflow(formula)?)
 }
 
 /// A view's points under a policy: what algorithms ask. One per worker,
@@ -372,10 +376,33 @@ impl<'p, P: Policy> Predicates<'p, P> {
         first: (Carrier, Place),
         second: (Carrier, Place),
     ) -> Ordering {
-        let locate = |(carrier, place): (Carrier, Place)| self.locate(carrier, place);
-        let compare = |first, second| self.decide(&AlongImage { first, second, axis });
-        let sense = compare(locate((reference, Place::Start)), locate((reference, Place::End)));
-        (-(compare(locate(first), locate(second)) * sense)).into()
+        self.order_across(axis, self.sense_across(reference, axis), first, second)
+    }
+
+    /// Which way the image of a carrier runs across an axis.
+    pub fn sense_across(&self, carrier: Carrier, axis: u8) -> Sign {
+        let [first, second] = [Place::Start, Place::End].map(|place| Located {
+            carrier,
+            place,
+            positive_start: true,
+        });
+        self.decide(&AlongImage { first, second, axis })
+    }
+
+    /// [`Self::order_along_image`] for a reference that runs across `axis` in
+    /// this sense: see [`Self::sense_across`].
+    pub fn order_across(
+        &self,
+        axis: u8,
+        sense: Sign,
+        first: (Carrier, Place),
+        second: (Carrier, Place),
+    ) -> Ordering {
+        if is_one_image(first, second) {
+            return Ordering::Equal;
+        }
+        let [first, second] = [first, second].map(|(carrier, place)| self.locate(carrier, place));
+        (-(self.decide(&AlongImage { first, second, axis }) * sense)).into()
     }
 
     /// Whether a place on a carrier, whose image lies on that of `line`, is
@@ -383,9 +410,7 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// it is, zero if it is that very point. The images run across `axis`:
     /// see [`Self::axis_across`].
     pub fn nearer_than(&self, line: Carrier, axis: u8, (other, place): (Carrier, Place)) -> Sign {
-        let located = |place| Located { carrier: line, place, positive_start: true };
-        let (first, second) = (located(Place::Start), located(Place::End));
-        let behind = self.decide(&AlongImage { first, second, axis });
+        let behind = self.sense_across(line, axis);
         let place = self.locate(other, place);
         -(self.decide(&Depth { carrier: line, place, axis }) * behind)
     }
@@ -408,35 +433,23 @@ impl<'p, P: Policy> Predicates<'p, P> {
     /// An axis direction that does not lie in the plane of the carrier and
     /// the eye, if the carrier's image is more than a point.
     pub fn axis_across(&self, carrier: Carrier) -> Option<u8> {
-        let start = Located { carrier, place: Place::Start, positive_start: true };
-        let end = Located { carrier, place: Place::End, positive_start: true };
-        (0..3).find(|&axis| !self.decide(&AlongImage { first: start, second: end, axis }).is_zero())
+        (0..3).find(|&axis| !self.sense_across(carrier, axis).is_zero())
     }
+}
 
-    /// The parameter of a cut, from 0 at the carrier's start to 1 at its
-    /// end, correct to 2^-52. The ends count with equal weight.
-    pub fn parameter(&self, carrier: Carrier, cut: Cut, values: &[Measured; 2]) -> f64 {
-        let [a, b] = values.map(|measured| measured.value);
-        let formula = Value(cut, carrier.ends[0]);
-        let vertices = carrier.as_edge().is_some();
-        if vertices && self.points.floats_hold(formula.bits(self.points.spread())) {
-            let (x, y) = (a.value().abs(), b.value().abs());
-            let span = x + y;
-            let error = (a.bound() * y + b.bound() * x) / (span * span);
-            if error < f64::EPSILON / 4.0 {
-                return x / span;
-            }
+/// Whether two places on one image line are named as one: as the same point,
+/// or where the same plane through the eye meets it.
+fn is_one_image(first: (Carrier, Place), second: (Carrier, Place)) -> bool {
+    let point = |(carrier, place): (Carrier, Place)| match place {
+        Place::Start => Some(carrier.ends[0]),
+        Place::End => Some(carrier.ends[1]),
+        Place::Cut(_) => None,
+    };
+    match (first.1, second.1) {
+        (Place::Cut(one), Place::Cut(other)) => {
+            one == other && !matches!(one, Cut::Face(_) | Cut::Near)
         }
-        self.exact_parameter(carrier, cut)
-    }
-
-    /// [`Self::parameter`] by integers.
-    #[cold]
-    fn exact_parameter(&self, carrier: Carrier, cut: Cut) -> f64 {
-        let [start, end] = carrier.ends;
-        let value = |point, other| exact_value(self.points, &Weighted { cut, point, other });
-        let (a, b) = (value(start, end), value(end, start));
-        BigInteger::ratio(&a, &(a.clone() - b))
+        _ => point(first).is_some_and(|one| point(second) == Some(one)),
     }
 }
 

@@ -37,6 +37,7 @@ mod formula;
 mod image;
 mod ladder;
 mod offset;
+mod parameter;
 mod plane;
 mod points;
 mod probe;
@@ -47,7 +48,7 @@ pub use area::turn_of_ring;
 pub use bare::{are_coplanar, compare_lengths, crossing_parameter, orientation};
 pub use carrier::{Carrier, Cut, Piercing, Place, Point, Probe};
 pub use chart::{Chart, ImageLine, ImagePoint};
-pub use collinear::are_collinear;
+pub use collinear::{are_collinear, line_fingerprints};
 pub use estimate::Estimate;
 pub use eye::{Eye, NearPlane};
 pub use fold::{Fold, FoldThreshold};
@@ -56,6 +57,7 @@ pub use image::Approximation;
 pub use ladder::{
     Audited, Exact, FilterOnly, Measured, Plain, Policy, Predicates, Thorough, Unfiltered,
 };
+pub use parameter::Division;
 pub use plane::{InputPlane, Plane, PlanePoint};
 pub use points::Points;
 pub use sorting::sort_by_predicates;

@@ -6,7 +6,7 @@
 
 use super::chart::Projection;
 use super::{Chart, ImagePoint, Points, Policy, Predicates};
-use crate::kernel::numbers::{BigInteger, Ring, SmallInteger, dot, scale_by_power_of_two};
+use crate::kernel::numbers::{Dyadic, Ring, SmallInteger, dot, scale_by_power_of_two};
 use glam::DVec3;
 
 impl<P: Policy> Predicates<'_, P> {
@@ -23,8 +23,8 @@ impl<P: Policy> Predicates<'_, P> {
             256..=383 => quotients::<6>(chart, points, point),
             384..=511 => quotients::<8>(chart, points, point),
             _ => {
-                let (parts, weight) = offset::<BigInteger>(chart, points, point);
-                let part = |part: &BigInteger| BigInteger::scaled_ratio(part, &weight, exponent);
+                let (parts, weight) = offset::<Dyadic>(chart, points, point);
+                let part = |part: &Dyadic| Dyadic::scaled_ratio(part, &weight, exponent);
                 return DVec3::from(parts.each_ref().map(part));
             }
         };

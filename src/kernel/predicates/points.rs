@@ -7,10 +7,11 @@
 //! cannot underflow, they overflow only beyond a known degree, and integer
 //! arithmetic of fixed width reads the very same array. The direction of an
 //! orthographic eye and the forward direction are scaled on their own, for
-//! a determinant is linear in each row. Wider scenes (1e-300 beside 1e300)
-//! stay as they are and are decided by big integers alone.
+//! a determinant is linear in each row. Wider scenes (1e-60 beside 1) stay as
+//! they are: floats decide what is certain beyond all that underflow may do,
+//! and integers with exponents of their own the rest.
 
-use super::{Eye, NearPlane};
+use super::{Eye, Formula, NearPlane};
 use crate::kernel::numbers::{Ring, Significand, scale_by_power_of_two};
 use crate::run::{fill_indexed, map_chunks};
 use glam::DVec3;
@@ -92,6 +93,14 @@ fn bits_above((value, exponent): (f64, i64), unit: i32) -> u32 {
     (i64::from(above) + exponent - i64::from(unit)).max(0) as u32
 }
 
+/// A value cut off below the place `2^unit`, if it is that small.
+fn whole_units(value: f64, unit: i32) -> f64 {
+    let Significand { whole, exponent } = Significand::of(value);
+    let below = (i64::from(unit) - i64::from(exponent)).clamp(0, 63) as u32;
+    let cut = (whole >> below << below) as f64;
+    scale_by_power_of_two(cut.copysign(value), exponent.into())
+}
+
 /// Binary places that the offset of a near plane keeps at least.
 const OFFSET_BITS: i64 = 24;
 
@@ -132,6 +141,8 @@ pub struct Points {
     perspective: bool,
     near: Option<ScaledNear>,
     spread: u32,
+    /// Bits above one of the largest number, where they are not scaled.
+    largest: u32,
 }
 
 impl Points {
@@ -172,6 +183,10 @@ impl Points {
         let factors = by(points.unit());
         fill_indexed(&mut scaled, |i| times(vertices[i], factors));
         let eye_range = if eye.is_perspective() { points } else { directions };
+        let aboves = [points.above, eye_range.above, forward_range.above];
+        let largest = aboves.into_iter().fold(bits_above(offset, 0).max(1), |most, above| {
+            most.max(above.max(0).unsigned_abs())
+        });
         Points {
             vertices: scaled,
             unit: kept_unit(points.unit()),
@@ -188,12 +203,13 @@ impl Points {
                     offset: if narrow {
                         scale_by_power_of_two(value, exponent - i64::from(both)).floor()
                     } else {
-                        scale_by_power_of_two(value, exponent)
+                        whole_units(scale_by_power_of_two(value, exponent), both)
                     },
                     offset_unit: kept_unit(both),
                 }
             }),
             spread,
+            largest,
         }
     }
 
@@ -231,6 +247,18 @@ impl Points {
     #[inline(always)]
     pub(super) fn floats_hold(&self, bits: u32) -> bool {
         self.spread <= NARROW && bits <= FLOAT_BITS
+    }
+
+    /// How far underflow may take the float value of a formula from the truth
+    /// beyond what rounding does, in scenes that are not scaled; nothing where
+    /// numbers are so large that this says little.
+    ///
+    /// What underflows is off by half the least float. That is multiplied with
+    /// other factors, which together are less than what `bits` says of the
+    /// largest number, and happens less often than 2^20 times.
+    pub(super) fn underflow<F: Formula>(&self, formula: &F) -> Option<f64> {
+        let bits = formula.bits(self.largest);
+        (bits < FLOAT_BITS - 100).then(|| f64::powi(2.0, bits as i32 + 20 - 1074))
     }
 
     /// The coordinates of a vertex, in units.

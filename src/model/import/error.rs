@@ -4,6 +4,7 @@
 //! the door of this room puts the name in front of it.
 
 use crate::run::Cancelled;
+use std::fmt::{self, Display, Formatter};
 use std::io;
 
 use thiserror::Error;
@@ -42,6 +43,15 @@ pub enum ImportError {
         /// What is wrong, what was expected.
         message: String,
     },
+    /// A file refers to another that is not in its folder or below, and was
+    /// not allowed to.
+    #[error("{place}: {message}")]
+    Outside {
+        /// The file's name as the caller gave it, and the place in it.
+        place: String,
+        /// What is wrong, what was expected.
+        message: String,
+    },
     /// The file as a whole is not for us: its format is unknown or left out
     /// of this build.
     #[error("{file}: {message}")]
@@ -61,6 +71,8 @@ pub enum ImportError {
 pub(super) struct Fault {
     place: Place,
     message: String,
+    /// Whether this is about a file that is out of bounds.
+    is_of_outside: bool,
 }
 
 #[derive(Debug)]
@@ -70,30 +82,57 @@ enum Place {
     File,
 }
 
+/// As it stands behind the name of a file.
+impl Display for Place {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Line(line) => write!(f, ":{line}"),
+            Place::Byte(byte) => write!(f, ": byte {byte}"),
+            Place::File => Ok(()),
+        }
+    }
+}
+
 /// What a reader returns.
 pub(super) type Read<T> = Result<T, Fault>;
 
 impl Fault {
     /// A problem in line `line`, counted from 1.
     pub(super) fn line(line: u64, message: impl Into<String>) -> Self {
-        Fault { place: Place::Line(line), message: message.into() }
+        Fault::at(Place::Line(line), message.into())
     }
 
     /// A problem at byte `byte`, counted from 0.
     pub(super) fn byte(byte: usize, message: impl Into<String>) -> Self {
-        Fault { place: Place::Byte(byte as u64), message: message.into() }
+        Fault::at(Place::Byte(byte as u64), message.into())
     }
 
     /// A problem of the whole file.
     pub(super) fn file(message: impl Into<String>) -> Self {
-        Fault { place: Place::File, message: message.into() }
+        Fault::at(Place::File, message.into())
+    }
+
+    fn at(place: Place, message: String) -> Self {
+        Fault { place, message, is_of_outside: false }
+    }
+
+    /// The same as a problem of a file that is out of bounds.
+    #[cfg(feature = "gltf")]
+    pub(super) fn of_outside(self) -> Self {
+        Fault { is_of_outside: true, ..self }
+    }
+
+    /// The same problem in line `line` of a text of which it saw only a part.
+    pub(super) fn in_line(self, line: u64) -> Self {
+        Fault { place: Place::Line(line), ..self }
     }
 
     /// The error for the caller.
     pub(super) fn named(self, file: &str) -> ImportError {
-        let Fault { place, message } = self;
+        let Fault { place, message, is_of_outside } = self;
         let file = file.to_owned();
         match place {
+            _ if is_of_outside => ImportError::Outside { place: format!("{file}{place}"), message },
             Place::Line(line) => ImportError::Line { file, line, message },
             Place::Byte(byte) => ImportError::Byte { file, byte, message },
             Place::File => ImportError::Format { file, message },

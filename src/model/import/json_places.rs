@@ -34,9 +34,24 @@ pub(super) fn place_of(json: &[u8], path: &[Step<'_>]) -> usize {
     place
 }
 
-/// The line of the byte at `offset`, counted from 1.
+/// The line of the byte at `offset`, counted from 1. A line ends in LF, CR or
+/// both.
 pub(super) fn line_of(json: &[u8], offset: usize) -> u64 {
-    1 + json[..offset.min(json.len())].iter().filter(|&&byte| byte == b'\n').count() as u64
+    let before = &json[..offset.min(json.len())];
+    let ends_at = |place: &usize| match before[*place] {
+        b'\r' => true,
+        b'\n' => *place == 0 || before[place - 1] != b'\r',
+        _ => false,
+    };
+    1 + (0..before.len()).filter(ends_at).count() as u64
+}
+
+/// The offset of a place that serde_json gives as line and column: it counts
+/// LFs alone, and columns from 1.
+pub(super) fn offset_of(json: &[u8], line: usize, column: usize) -> usize {
+    let lines = json.split_inclusive(|&byte| byte == b'\n');
+    let before: usize = lines.take(line.saturating_sub(1)).map(<[u8]>::len).sum();
+    (before + column.saturating_sub(1)).min(json.len())
 }
 
 fn enter_key(scan: &mut Scan<'_>, wanted: &str) -> Option<()> {
@@ -56,21 +71,6 @@ fn enter_item(scan: &mut Scan<'_>, wanted: usize) -> Option<()> {
     }
     scan.skip_blanks();
     scan.json.get(scan.at).is_some_and(|&byte| byte != b']').then_some(())
-}
-
-/// What serde_json says, in our words and without the position it appends.
-/// `what` is what the whole text should have been.
-pub(super) fn message_of(error: &impl ToString, what: &str) -> String {
-    let text = error.to_string();
-    let message = text.rfind(" at line ").map_or(&*text, |end| &text[..end]);
-    let message = message
-        .replace("expected u64", "expected a natural number")
-        .replace("expected f64", "expected a number")
-        .replace("expected struct Root", "expected a glTF document");
-    if message.starts_with("expected") {
-        return format!("this is no JSON, {message}");
-    }
-    if message.contains("expected") { message } else { format!("{message}, expected {what}") }
 }
 
 #[cfg(test)]

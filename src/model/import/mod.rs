@@ -15,7 +15,7 @@
 //! | PLY | own (`ply`); the crate is its judge in the tests | edges, face colours |
 //! | OFF | own | face colours |
 //! | JSON polygon scene | serde_json (`json`) | holes, colours, objects |
-//! | glTF 2.0, GLB | gltf for the document (`gltf`), own accessors | lines |
+//! | glTF 2.0, GLB | serde_json for the document (`gltf`), own accessors | lines, instances, morph targets |
 //!
 //! Grids of heights, which become surfaces, have readers of their own:
 //! [`read_heights`].
@@ -28,6 +28,8 @@ mod heights;
 #[cfg(any(feature = "json", feature = "gltf"))]
 mod json_places;
 mod json_scan;
+#[cfg(any(feature = "json", feature = "gltf"))]
+mod json_words;
 mod obj;
 mod off;
 mod parts;
@@ -37,7 +39,9 @@ mod ply;
 mod polygon_scene;
 mod stl;
 mod stl_text;
+mod surroundings;
 mod text;
+mod text_row;
 
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -45,11 +49,17 @@ use std::path::Path;
 
 pub use error::ImportError;
 pub use format::Format;
-pub use heights::{HeightFormat, read_heights, read_heights_bytes};
+pub use heights::{
+    HeightFormat, ImportedHeights, read_heights, read_heights_bytes, read_heights_bytes_within,
+    read_heights_within,
+};
+#[cfg(any(feature = "json", feature = "gltf"))]
+pub use json_words::json_message;
 
 use super::{Placement, Soup, Unit, UpAxis};
 use crate::run::Run;
 use error::{Fault, Read};
+use surroundings::Surroundings;
 
 /// What a file held.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,15 +75,37 @@ pub struct Imported {
     pub warnings: Vec<String>,
 }
 
+impl Imported {
+    /// The distance within which places of this file may be one that was
+    /// rounded twice: a few units of the last place that the file has, in its
+    /// own unit. O(n).
+    pub fn resolution(&self) -> f64 {
+        let of = |soup: &Soup| soup.precision.resolution(&soup.vertices);
+        self.objects.iter().map(of).fold(0.0, f64::max)
+    }
+}
+
+/// How a file is read.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct ImportOptions {
+    /// The format; where none is given, what the content says, else what the
+    /// extension says.
+    pub format: Option<Format>,
+    /// Whether a file may refer to others that are not in its own folder or
+    /// below: for files that are trusted.
+    pub allow_outside: bool,
+}
+
 /// Reads a file. The format is the one given, else what the content says,
-/// else what the extension says. glTF may refer to files beside it.
+/// else what the extension says. glTF may refer to files in its own folder
+/// and below.
 ///
 /// # Errors
 ///
 /// If the file cannot be read, its format is unknown or left out of this
 /// build, or the content is not a sound model of that format.
 pub fn read_file(path: &Path, format: Option<Format>) -> Result<Imported, ImportError> {
-    read_file_within(path, format, &Run::default())
+    read_file_within(path, ImportOptions { format, ..ImportOptions::default() }, &Run::default())
 }
 
 /// As [`read_file`], asking a run whether to go on and how much memory there
@@ -84,14 +116,15 @@ pub fn read_file(path: &Path, format: Option<Format>) -> Result<Imported, Import
 /// As [`read_file`]; and if the run is cancelled or reaches a limit.
 pub fn read_file_within(
     path: &Path,
-    format: Option<Format>,
+    options: ImportOptions,
     run: &Run<'_>,
 ) -> Result<Imported, ImportError> {
+    let ImportOptions { format, allow_outside } = options;
     let name = path.display().to_string();
     let io = |source| ImportError::Io { file: name.clone(), source };
     let metadata = path.metadata().map_err(io)?;
     let size = metadata.len();
-    run.take(size)?;
+    run.check()?;
     // A pipe can be opened once.
     let in_place = match metadata.is_file() {
         true => read_in_place(path, size, format, run).map_err(io)?,
@@ -100,12 +133,18 @@ pub fn read_file_within(
     let outcome = match in_place {
         Some(outcome) => outcome,
         None => {
-            let bytes = std::fs::read(path).map_err(io)?;
+            let file = File::open(path).map_err(io)?;
+            // A pipe has no size, and a device no end.
+            let most = most_bytes(format.or_else(|| Format::from_extension(path))) + 1;
+            let bytes = run.read_all(file, size, most).map_err(io)?;
+            run.check()?;
             let folder = path.parent().unwrap_or(Path::new(""));
-            read(path, &bytes, format, Some(folder), run)
+            let surroundings = Surroundings { folder: Some(folder), allow_outside };
+            let outcome = read(path, &bytes, format, surroundings, run);
+            run.give_back(bytes.capacity() as u64);
+            outcome
         }
     };
-    run.give_back(size);
     run.check()?;
     let imported = outcome.map_err(|fault| fault.named(&name))?;
     run.take(imported.objects.iter().map(bytes_of).sum())?;
@@ -137,7 +176,12 @@ fn read_in_place(
     if let Err(fault) = check_size(length, format) {
         return Ok(Some(Err(fault)));
     }
+    // What is decoded of it takes about as much.
+    if run.take(length).is_err() {
+        return Ok(Some(Err(Fault::file("the run is stopped"))));
+    }
     let found = stl::read_in_place(path, &head, run)?;
+    run.give_back(length);
     Ok(Some(found.map(|found| found.imported(format))))
 }
 
@@ -180,7 +224,8 @@ pub fn read_bytes_within(
     format: Option<Format>,
     run: &Run<'_>,
 ) -> Result<Imported, ImportError> {
-    let outcome = read(Path::new(name), bytes, format, None, run);
+    let surroundings = Surroundings { folder: None, allow_outside: false };
+    let outcome = read(Path::new(name), bytes, format, surroundings, run);
     run.check()?;
     let imported = outcome.map_err(|fault| fault.named(name))?;
     run.take(imported.objects.iter().map(bytes_of).sum())?;
@@ -205,7 +250,7 @@ fn read(
     name: &Path,
     bytes: &[u8],
     format: Option<Format>,
-    folder: Option<&Path>,
+    surroundings: Surroundings<'_>,
     run: &Run<'_>,
 ) -> Read<Imported> {
     if bytes.trim_ascii().is_empty() {
@@ -224,7 +269,7 @@ fn read(
         Format::Off => off::read(bytes, run),
         Format::Ply => read_ply(bytes, run),
         Format::PolygonScene => read_polygon_scene(bytes),
-        Format::Gltf => read_gltf(bytes, folder),
+        Format::Gltf => read_gltf(bytes, surroundings, run),
     }?;
     Ok(found.imported(format))
 }
@@ -243,12 +288,17 @@ pub fn line_of_face(bytes: &[u8], format: Format, number: u64) -> Option<u64> {
 /// Vertex and corner numbers are 32 bits wide. One of either takes at least
 /// one byte of any format, and 50 bytes of binary STL make three.
 fn check_size(bytes: u64, format: Format) -> Read<()> {
-    let most = if format == Format::Stl { u64::from(u32::MAX) / 3 * 50 } else { u32::MAX.into() };
+    let most = most_bytes(Some(format));
     if most < bytes {
-        let message = format!("{bytes} bytes are too many, expected {most} at most");
+        let message = format!("the file is too large, expected {most} bytes at most");
         return Err(Fault::file(message));
     }
     Ok(())
+}
+
+/// The size of the largest file of a format.
+fn most_bytes(format: Option<Format>) -> u64 {
+    if format == Some(Format::Stl) { u64::from(u32::MAX) / 3 * 50 } else { u32::MAX.into() }
 }
 
 fn placement(format: Format) -> Placement {
@@ -278,7 +328,7 @@ fn read_polygon_scene(_: &[u8]) -> Read<Found> {
 use gltf::read as read_gltf;
 
 #[cfg(not(feature = "gltf"))]
-fn read_gltf(_: &[u8], _: Option<&Path>) -> Read<Found> {
+fn read_gltf(_: &[u8], _: Surroundings<'_>, _: &Run<'_>) -> Read<Found> {
     Err(left_out(Format::Gltf))
 }
 

@@ -7,7 +7,8 @@
 //! vertex, so those are checked when the file has ended. Each `o` begins an
 //! object; where no `o` has been, each `g` does. Materials, normals, texture
 //! coordinates and smoothing groups do not change the shape and are passed
-//! over; unknown statements are too, with a warning.
+//! over; unknown statements are too, with a warning, and so are faces and lines
+//! with too few corners.
 
 use glam::DVec3;
 
@@ -57,6 +58,7 @@ struct Reader<'a> {
     /// The corners of the face or polyline at hand.
     corners: Vec<u32>,
     unknown: Vec<&'a [u8]>,
+    few_corners: Vec<&'static str>,
     warnings: Vec<String>,
 }
 
@@ -73,6 +75,7 @@ impl<'a> Reader<'a> {
             forward: ForwardReferences::default(),
             corners: Vec::new(),
             unknown: Vec::new(),
+            few_corners: Vec::new(),
             warnings: Vec::new(),
         }
     }
@@ -121,7 +124,8 @@ impl<'a> Reader<'a> {
         let line = self.text.line();
         self.read_corners()?;
         if self.corners.len() < 3 {
-            return Err(too_few(line, "face", self.corners.len(), 3));
+            self.few_corners("faces with fewer than 3 corners", line);
+            return Ok(());
         }
         self.begin();
         if let Some(part) = self.parts.last_mut() {
@@ -137,13 +141,22 @@ impl<'a> Reader<'a> {
         let line = self.text.line();
         self.read_corners()?;
         if self.corners.len() < 2 {
-            return Err(too_few(line, "line", self.corners.len(), 2));
+            self.few_corners("lines with fewer than 2 corners", line);
+            return Ok(());
         }
         self.begin();
         if let Some(part) = self.parts.last_mut() {
             part.lines.extend(self.corners.windows(2).map(|ends| [ends[0], ends[1]]));
         }
         Ok(())
+    }
+
+    /// Tells once of faces or lines that are passed over.
+    fn few_corners(&mut self, what: &'static str, line: u64) {
+        if !self.few_corners.contains(&what) {
+            self.few_corners.push(what);
+            self.warnings.push(format!("{what} are ignored (line {line})"));
+        }
     }
 
     /// Makes sure that the last part is the one in force.
@@ -191,11 +204,10 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown(&mut self, keyword: &'a [u8]) -> Read<()> {
-        // Statements have names; anything else means that this is no OBJ file.
-        let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
-        if !keyword[0].is_ascii_alphabetic() || !keyword.iter().all(is_name) {
-            let message = format!("{} is no statement, expected v, f, l, o or g", quote(keyword));
-            return Err(self.text.fault(message));
+        // What is no text is no OBJ file.
+        if let Some(byte) = keyword.iter().find(|byte| byte.is_ascii_control()) {
+            let message = format!("{} has the control byte 0x{byte:02x}", quote(keyword));
+            return Err(self.text.fault(format!("{message}, expected a statement")));
         }
         const MOST: usize = 20;
         if self.unknown.len() < MOST && !self.unknown.contains(&keyword) {
@@ -214,9 +226,4 @@ impl<'a> Reader<'a> {
         }
         count
     }
-}
-
-fn too_few(line: u64, what: &str, corners: usize, least: usize) -> Fault {
-    let message = format!("a {what} with {corners} corners, expected {least} at least");
-    Fault::line(line, message)
 }

@@ -20,7 +20,7 @@ pub(super) struct Part {
 pub(super) fn split(vertices: Vec<DVec3>, mut parts: Vec<Part>) -> Vec<Soup> {
     if parts.len() <= 1 {
         let Part { name, faces, colors, lines, places } = parts.pop().unwrap_or_default();
-        return vec![Soup { name, vertices, vertex_numbers: None, faces, colors, lines, places }];
+        return vec![Soup { name, vertices, faces, colors, lines, places, ..Soup::default() }];
     }
     // Where a vertex of the file stands in the part at hand.
     let mut places = vec![UNUSED; vertices.len()];
@@ -50,15 +50,8 @@ fn cut_out(vertices: &[DVec3], part: Part, places: &mut [u32]) -> Soup {
         places[number as usize] = UNUSED;
     }
     let vertices = numbers.iter().map(|&number| vertices[number as usize]).collect();
-    Soup {
-        name,
-        vertices,
-        vertex_numbers: Some(numbers),
-        faces,
-        colors,
-        lines,
-        places: face_places,
-    }
+    let (vertex_numbers, places) = (Some(numbers), face_places);
+    Soup { name, vertices, vertex_numbers, faces, colors, lines, places, ..Soup::default() }
 }
 
 /// References to vertices that may still follow in the file. Only numbers

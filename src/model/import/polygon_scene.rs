@@ -25,7 +25,8 @@ use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, Seq
 use super::super::{Color, FacePlace};
 use super::Found;
 use super::error::{Fault, Read};
-use super::json_places::{Step, line_of, message_of, place_of};
+use super::json_places::{Step, line_of, offset_of, place_of};
+use super::json_words::json_message;
 use super::parts::{ForwardReferences, Part, split};
 
 /// Reads a polygon scene.
@@ -40,8 +41,8 @@ pub(super) fn read(bytes: &[u8]) -> Read<Found> {
         return Err(Fault::line(line, format!("face {face} {message}")));
     }
     if let Err(error) = outcome {
-        let message = message_of(&error, "a polygon scene");
-        return Err(Fault::line(error.line().max(1) as u64, message));
+        let line = line_of(json, offset_of(json, error.line(), error.column()));
+        return Err(Fault::line(line, json_message(&error, "a polygon scene")));
     }
     Ok(Found { objects: split(scene.vertices, scene.parts), warnings: scene.warnings })
 }

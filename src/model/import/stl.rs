@@ -6,7 +6,7 @@
 //! begin with the word `solid` that should mark the text form, so the length
 //! decides: a file of exactly 84 + 50 n bytes for its own n is binary (no
 //! text can be: the n of four printable bytes exceeds half a thousand
-//! million). Facets are independent, so they are read and decoded in parallel,
+//! million). Bytes after the last facet are passed over. Facets are independent, so they are read and decoded in parallel,
 //! and the file as a whole is never in memory.
 //! Corners are welded here only as far as it saves copies, for good later;
 //! normals are not read, because the corners say all that is true.
@@ -18,9 +18,9 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::super::{Faces, Soup};
+use super::super::{Faces, Precision, Soup};
 use super::error::{Fault, Read};
-use super::{Found, stl_text};
+use super::{Format, Found, stl_text};
 use crate::run::{Run, join_lists, map_chunks};
 
 /// Bytes before the first facet.
@@ -62,10 +62,12 @@ fn binary_length(count: u32) -> u64 {
 }
 
 /// Text has no control characters near its beginning; a binary file has,
-/// in its number of facets at the latest. Names may be in any encoding.
+/// in its number of facets at the latest. Names may be in any encoding. What
+/// opens like the grammar is text all the same, so that its place is told.
 fn looks_like_text(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(512)];
     head.iter().all(|&byte| 0x20 <= byte || (0x09..=0x0d).contains(&byte))
+        || Format::from_content(bytes) == Some(Format::Stl)
 }
 
 fn read_binary(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
@@ -81,9 +83,10 @@ fn read_binary(bytes: &[u8], run: &Run<'_>) -> Read<Found> {
     let mut found = Found::default();
     if expected < actual {
         let surplus = actual - expected;
-        if FACET as u64 <= surplus {
-            let message = format!("{surplus} bytes follow {count} facets, expected the end");
-            return Err(Fault::byte(expected as usize, message));
+        // Whoever wrote none and then some has not come back to count them.
+        if count == 0 && FACET as u64 <= surplus {
+            let message = format!("{surplus} bytes follow 0 facets, expected the number of facets");
+            return Err(Fault::byte(80, message));
         }
         found.warnings.push(format!("{surplus} bytes after the last facet are ignored"));
     }
@@ -182,7 +185,8 @@ fn soup_of(facets: &Facets<'_>, run: &Run<'_>) -> io::Result<Read<Soup>> {
     let vertices = join_lists(vertices, |_, vertex| *vertex);
     let numbers = join_lists(numbers, |_, number| *number);
     let faces = Faces::from_triangles(join_lists(corners, |part, corner| corner + offsets[part]));
-    Ok(Ok(Soup { vertices, vertex_numbers: Some(numbers), faces, ..Soup::default() }))
+    let (vertex_numbers, precision) = (Some(numbers), Precision::Float32);
+    Ok(Ok(Soup { vertices, vertex_numbers, precision, faces, ..Soup::default() }))
 }
 
 impl Part {

@@ -1,5 +1,7 @@
 //! A cursor over the words and lines of a text format.
 //!
+//! A line ends in LF, CR or both, CR first: all three are one end of a line.
+//!
 //! It works on bytes, because model files in text form are large and almost
 //! wholly numbers, and because names in them come in any encoding. Numbers
 //! are parsed by the standard library, so they are correctly rounded.
@@ -51,15 +53,15 @@ impl<'a> Text<'a> {
     pub(super) fn word(&mut self) -> Option<&'a [u8]> {
         loop {
             match self.bytes.get(self.at)? {
-                b' ' | b'\t' | b'\r' | 0x0b | 0x0c => self.at += 1,
-                b'\n' => return None,
+                b' ' | b'\t' | 0x0b | 0x0c => self.at += 1,
+                b'\n' | b'\r' => return None,
                 b'#' if self.comments => {
                     self.skip_to_line_end();
                     return None;
                 }
                 b'\\' if self.joins_lines(self.at) => {
                     self.skip_to_line_end();
-                    self.at += 1;
+                    self.at += self.line_end();
                     self.line += 1;
                 }
                 _ => break,
@@ -109,15 +111,15 @@ impl<'a> Text<'a> {
             let start = self.at;
             self.skip_to_line_end();
             let left = &self.bytes[start..self.at];
-            if self.bytes.len() <= self.at + 1 {
+            let next = self.at + self.line_end();
+            if self.bytes.len() <= next {
                 self.at = self.bytes.len();
                 return false;
             }
-            self.at += 1;
+            self.at = next;
             self.line += 1;
             // A comment ends with its line, whatever it ends in.
-            let joined = left.strip_suffix(b"\r").unwrap_or(left).ends_with(b"\\");
-            if !(self.continued && joined && !left.contains(&b'#')) {
+            if !(self.continued && left.ends_with(b"\\") && !left.contains(&b'#')) {
                 return true;
             }
         }
@@ -143,6 +145,21 @@ impl<'a> Text<'a> {
         self.line
     }
 
+    /// Whether the next byte but blanks is a CR that ends its line alone.
+    pub(super) fn line_ends_in_cr(&self) -> bool {
+        let mut text = self.clone();
+        text.word().is_none()
+            && text.bytes[text.at..].starts_with(b"\r")
+            && !text.bytes[text.at..].starts_with(b"\r\n")
+    }
+
+    /// Goes behind the CR that ends this line, whatever follows it.
+    pub(super) fn pass_cr(&mut self) {
+        self.skip_to_line_end();
+        self.at = (self.at + 1).min(self.bytes.len());
+        self.line += 1;
+    }
+
     /// The offset of the next byte.
     pub(super) fn offset(&self) -> usize {
         self.at
@@ -155,10 +172,10 @@ impl<'a> Text<'a> {
 
     /// The next word of this line as a finite number.
     pub(super) fn number(&mut self, what: &str) -> Read<f64> {
-        let Some(word) = self.word() else {
-            return Err(self.fault(format!("the line ends here, expected {what}")));
-        };
-        self.number_in(word, what)
+        match self.word() {
+            Some(word) => self.number_in(word, what),
+            None => Err(self.line_ends(what)),
+        }
     }
 
     /// The word as a finite number.
@@ -166,15 +183,39 @@ impl<'a> Text<'a> {
         match std::str::from_utf8(word).ok().and_then(|word| word.parse::<f64>().ok()) {
             Some(number) if number.is_finite() => Ok(number),
             Some(_) => Err(self.fault(format!("{} is not finite, expected {what}", quote(word)))),
-            None => Err(self.fault(format!("{} is no number, expected {what}", quote(word)))),
+            None => Err(self.no_number(word, what)),
         }
+    }
+
+    /// The fault of a word of this text that is no number.
+    fn no_number(&self, word: &[u8], what: &str) -> Fault {
+        self.fault(match word.iter().position(u8::is_ascii_control) {
+            Some(place) => {
+                let start = word.as_ptr().addr() - self.bytes.as_ptr().addr();
+                let (byte, place) = (word[place], start + place);
+                format!(
+                    "byte {place} of the file is the control byte 0x{byte:02x}, expected {what}"
+                )
+            }
+            None => format!("{} is no number, expected {what}", quote(word)),
+        })
     }
 
     /// The next word of this line as a number that counts or names things.
     pub(super) fn natural(&mut self, what: &str) -> Read<u64> {
-        let Some(word) = self.word() else {
-            return Err(self.fault(format!("the line ends here, expected {what}")));
-        };
+        match self.word() {
+            Some(word) => self.natural_in(word, what),
+            None => Err(self.line_ends(what)),
+        }
+    }
+
+    /// The fault of a line that ends too early.
+    pub(super) fn line_ends(&self, what: &str) -> Fault {
+        self.fault(format!("the line ends here, expected {what}"))
+    }
+
+    /// The word as a number that counts or names things.
+    pub(super) fn natural_in(&self, word: &[u8], what: &str) -> Read<u64> {
         match integer(word).and_then(|number| u64::try_from(number).ok()) {
             Some(number) => Ok(number),
             None => Err(self.fault(format!(
@@ -186,13 +227,19 @@ impl<'a> Text<'a> {
 
     fn skip_to_line_end(&mut self) {
         let rest = &self.bytes[self.at..];
-        self.at += rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
+        let is_end = |&byte: &u8| byte == b'\n' || byte == b'\r';
+        self.at += rest.iter().position(is_end).unwrap_or(rest.len());
+    }
+
+    /// How many bytes the end of the line takes that stands here.
+    fn line_end(&self) -> usize {
+        if self.bytes[self.at..].starts_with(b"\r\n") { 2 } else { 1 }
     }
 
     /// Whether the `\` at `at` is the last visible byte of its line.
     fn joins_lines(&self, at: usize) -> bool {
         let rest = &self.bytes[at + 1..];
-        self.continued && (rest.starts_with(b"\n") || rest.starts_with(b"\r\n"))
+        self.continued && matches!(rest.first(), Some(b'\n' | b'\r'))
     }
 }
 
@@ -230,6 +277,20 @@ mod tests {
         assert!(text.next_line());
         assert_eq!((text.word(), text.line()), (Some(&b"e"[..]), 3));
         assert!(!text.next_line());
+    }
+
+    #[test]
+    fn lines_end_in_any_of_three_ways() {
+        for end in ["\n", "\r", "\r\n"] {
+            let source = ["a # c", "b \\", "c", "", "d", ""].join(end);
+            let mut text = Text::new(source.as_bytes()).with_comments().with_continued_lines();
+            let mut words = Vec::new();
+            while let Some(word) = text.word_across_lines() {
+                words.push((text.line(), word));
+            }
+            assert_eq!(words, [(1, &b"a"[..]), (2, b"b"), (3, b"c"), (5, b"d")], "{end:?}");
+            assert_eq!(text.line(), 5);
+        }
     }
 
     #[test]

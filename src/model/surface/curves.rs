@@ -29,6 +29,16 @@ impl Default for CurveOptions {
     }
 }
 
+impl CurveOptions {
+    /// Whether a curve is drawn, of a family that is wanted or not, by its
+    /// number and that of the last one.
+    pub(super) fn draws(&self, family: bool, index: u32, last: u32) -> bool {
+        let ends = index == 0 || index == last;
+        (ends && self.borders)
+            || (family && (index == last || index.is_multiple_of(self.every.max(1))))
+    }
+}
+
 /// The lines of a surface that are drawn, one for each side of a cell.
 ///
 /// First the curves of constant z, row by row; then those of constant x,
@@ -61,11 +71,7 @@ impl Curves {
                 count - lines
             })
         };
-        let drawn = |family: bool, index: u32, last: u32| {
-            let ends = index == 0 || index == last;
-            (ends && options.borders)
-                || (family && (index == last || index.is_multiple_of(options.every.max(1))))
-        };
+        let drawn = |family, index, last| options.draws(family, index, last);
         let along = |j| drawn(options.constant_z, j, rows - 1);
         let rows_drawn = (0..rows).map(|j| next(along(j), columns - 1)).collect();
         let along = |i| drawn(options.constant_x, i, columns - 1);

@@ -74,6 +74,9 @@ pub enum SurfaceError {
     /// Nothing is left of a grid that was cut.
     #[error("no rectangle of 2 x 2 heights is without missing ones: expected more data")]
     NothingLeft,
+    /// A surface with holes that is nothing but holes.
+    #[error("no cell of the grid has three of its four heights: expected more data")]
+    NoCells,
     /// A scaled height is infinite.
     #[error("the height {height} times {scale} is not finite: expected a smaller scale")]
     Overflow {

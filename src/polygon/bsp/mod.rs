@@ -96,6 +96,20 @@ impl Bsp {
         polygons: impl IntoIterator<Item = PlanePolygon>,
         run: &Run<'_>,
     ) -> Result<Self, Cancelled> {
+        Ok(Self::within(predicates, polygons, usize::MAX, run)?.unwrap_or_default())
+    }
+
+    /// The same; nothing if that takes more than `most_cuts` cuts.
+    ///
+    /// # Errors
+    ///
+    /// As [`Bsp::new`].
+    pub fn within<P: Policy>(
+        predicates: &Predicates<'_, P>,
+        polygons: impl IntoIterator<Item = PlanePolygon>,
+        most_cuts: usize,
+        run: &Run<'_>,
+    ) -> Result<Option<Self>, Cancelled> {
         let numbered = polygons.into_iter().zip(0..);
         let set: Vec<Fragment> =
             numbered.map(|(polygon, source)| Fragment { polygon, source }).collect();
@@ -111,10 +125,13 @@ impl Bsp {
             run.advance(parted.within.len() as u64);
             let node = tree.add(plane, parted.within, parent);
             tree.cuts += parted.cuts;
+            if most_cuts < tree.cuts {
+                return Ok(None);
+            }
             open.push(Open { set: parted.above, parent: Some((node, true)) });
             open.push(Open { set: parted.below, parent: Some((node, false)) });
         }
-        Ok(tree)
+        Ok(Some(tree))
     }
 
     /// Polygons and pieces of polygons, as they stand in the tree.

@@ -1,7 +1,7 @@
 //! From rings to sorted edges.
 
 use super::fill::{FillRule, States};
-use super::sweep::{Edge, Ends, compare_approximations};
+use super::sweep::{Edge, Ends};
 use super::{Corner, Operand};
 use crate::kernel::predicates::{Approximation, Chart, ImagePoint, Policy, Predicates};
 use crate::run::sort_by;
@@ -106,7 +106,7 @@ fn sort_ends<P: Policy>(
         .map(|(i, &point)| (predicates.approximate(chart, point), i as u32))
         .collect();
     let compare = |a: &(Approximation, u32), b: &(Approximation, u32)| {
-        compare_approximations(&a.0, &b.0).unwrap_or_else(|| {
+        a.0.compare(&b.0).unwrap_or_else(|| {
             predicates.sweep(chart, corners[a.1 as usize], corners[b.1 as usize])
         })
     };

@@ -99,6 +99,7 @@ impl PlaneShape {
             let polygons = shape.round_once(rounds > 0);
             rounds += 1;
             if rounds == 1 && shape.is_surely_still(&polygons) {
+                let polygons = polygons.into_iter().map(from_least_corners).collect();
                 return Ok(Rounded { polygons, rounds });
             }
             next = Self::new(&polygons, FillRule::Positive)?.normalized(true)?;
@@ -191,6 +192,17 @@ impl PlaneShape {
         let (a, b) = (self.vertex(a), self.vertex(b));
         place.clamp(a.min(b), a.max(b))
     }
+}
+
+/// The same rings, each from its least corner on. Exactly that may have been
+/// another one, which rounding has put below or above.
+fn from_least_corners(mut rings: Rings) -> Rings {
+    let order = |a: &DVec2, b: &DVec2| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
+    for ring in &mut rings {
+        let least = (0..ring.len()).min_by(|&a, &b| order(&ring[a], &ring[b]));
+        ring.rotate_left(least.unwrap_or(0));
+    }
+    rings
 }
 
 #[cfg(test)]

@@ -72,23 +72,6 @@ struct Event {
     end: Option<u32>,
 }
 
-/// Compares two points by their approximations, if these are good enough.
-#[inline]
-pub(super) fn compare_approximations(a: &Approximation, b: &Approximation) -> Option<Ordering> {
-    // The sum rounds, so a little is added to it.
-    let error = (a.error + b.error) * 1.000_001;
-    for i in 0..2 {
-        let difference = a.place[i] - b.place[i];
-        if difference.abs() > error {
-            return Some(if difference < 0.0 { Ordering::Less } else { Ordering::Greater });
-        }
-        if error != 0.0 {
-            return None;
-        }
-    }
-    Some(Ordering::Equal)
-}
-
 /// What the pieces of a sweep take: two meetings in the queue, and a border
 /// with its two ends.
 const PIECE_BYTES: usize = 2 * size_of::<Meeting>() + 64;
@@ -182,7 +165,7 @@ impl<'a, 'p, P: Policy> Sweep<'a, 'p, P> {
     fn meetings_before(&mut self, end: u32, goes_on: &mut impl FnMut(u32) -> bool) -> bool {
         while let Some(first) = self.queue.first() {
             let approximation = &self.ends.approximations[end as usize];
-            let order = compare_approximations(&first.approximation, approximation);
+            let order = first.approximation.compare(approximation);
             let order = order.unwrap_or_else(|| {
                 let point = self.ends.points[end as usize];
                 self.predicates.sweep(self.chart, self.crossing(first.edges), point)
@@ -486,7 +469,7 @@ fn before<P: Policy>(
     a: &Meeting,
     b: &Meeting,
 ) -> bool {
-    let order = compare_approximations(&a.approximation, &b.approximation);
+    let order = a.approximation.compare(&b.approximation);
     let order = order.unwrap_or_else(|| {
         predicates.sweep(chart, crossing(edges, a.edges), crossing(edges, b.edges))
     });

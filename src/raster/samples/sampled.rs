@@ -28,11 +28,20 @@ impl<'a> Sampled<'a> {
     /// Scales the points of mesh and samples together. O(n + samples).
     pub fn new(view: &'a View, question: &'a LineQuestion<'a>, samples: &'a Samples) -> Self {
         let (width, height) = (samples.width(), samples.height());
+        let cells = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
+        Self::of_some(view, question, samples, cells)
+    }
+
+    /// The same with some of the samples only, which are vertices in the order
+    /// in which they are named: [`Sampled::vertex`] is about all of a grid.
+    pub(in crate::raster) fn of_some(
+        view: &'a View,
+        question: &'a LineQuestion<'a>,
+        samples: &'a Samples,
+        cells: impl Iterator<Item = [u32; 2]>,
+    ) -> Self {
         let mut vertices = question.mesh.vertices().to_vec();
-        vertices.reserve_exact(width as usize * height as usize);
-        for row in 0..height {
-            vertices.extend((0..width).map(|column| samples.point(column, row)));
-        }
+        vertices.extend(cells.map(|[column, row]| samples.point(column, row)));
         let points = Points::new(&vertices, view.eye, view.near);
         Sampled { question, view, samples, points }
     }

@@ -181,7 +181,7 @@ impl<'a> Explainer<'a> {
         let (side, triangles) = chosen(&counter.hiding(feature, probe));
         let crossing = match feature.origin {
             LineOrigin::Intersection(i) => Some(self.question.intersections[i as usize].triangles),
-            LineOrigin::Edge(_) | LineOrigin::Loose(_) => None,
+            _ => None,
         };
         let face = |triangle: u32| {
             let vertices = self.question.mesh.vertices();

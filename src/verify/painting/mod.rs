@@ -40,6 +40,8 @@ const PART: usize = 128;
 pub struct PaintVerifyOptions {
     /// Up to this many triangles there is one.
     pub up_to: usize,
+    /// Ways that take more cuts are left out.
+    pub most_cuts: Option<usize>,
     /// Samples along the longer side of the image.
     pub image_size: u32,
     /// A mistake to make.
@@ -47,9 +49,9 @@ pub struct PaintVerifyOptions {
 }
 
 impl Default for PaintVerifyOptions {
-    /// Up to 20 000 triangles; an image of 128 samples.
+    /// Up to 20 000 triangles and 2500 cuts; an image of 128 samples.
     fn default() -> Self {
-        PaintVerifyOptions { up_to: 20_000, image_size: 128, fault: None }
+        PaintVerifyOptions { up_to: 20_000, most_cuts: Some(2500), image_size: 128, fault: None }
     }
 }
 
@@ -83,13 +85,18 @@ pub fn verify_painting<P: Policy>(
     };
     let faces = Faces::new(question);
     for painter in Painter::ALL {
-        let wish = PainterOptions { painter, fault: options.fault };
+        let PaintVerifyOptions { most_cuts, fault, .. } = *options;
+        let wish = PainterOptions { painter, most_cuts, fault };
         let order = match paint_order::<P>(question, &wish, run) {
             Ok(order) => order,
             Err(PainterError::Cancelled(cancelled)) => return Err(cancelled),
             Err(other @ PainterError::NoNearPlane) => {
                 report.skipped = Some(other.to_string());
                 return Ok(report);
+            }
+            Err(PainterError::TooManyCuts(most)) => {
+                report.leave_out(painter, most, faces.with_image(question));
+                continue;
             }
             Err(other @ PainterError::NoCut) => {
                 report.fail(painter, other.to_string());
@@ -136,6 +143,12 @@ impl Faces {
         };
         let bounds = ranges.iter().map(bounds).collect();
         Faces { ranges, bounds }
+    }
+
+    /// How many faces have an image.
+    fn with_image(&self, question: &LineQuestion<'_>) -> usize {
+        let has_image = |triangle: u32| !question.facing[triangle as usize].is_zero();
+        self.ranges.iter().filter(|range| (*range).clone().any(has_image)).count()
     }
 
     fn triangles(&self, piece: &PaintedPiece) -> Range<u32> {

@@ -81,6 +81,12 @@ impl Pairs<'_> {
         places: [usize; 2],
     ) -> Verdict {
         let [earlier, later] = places.map(|place| &order.pieces[place]);
+        // Most pairs whose boxes overlap are told apart by one plane.
+        let [first, second] = places.map(|place| self.shadows[place].iter().copied());
+        let polygons = [&earlier.polygon, &later.polygon];
+        if PlanePolygon::are_apart(predicates, polygons, first, second) {
+            return Verdict::Apart;
+        }
         let shadow = self.shadows[places[0]].iter().copied();
         let Some(over) = later.polygon.within(predicates, shadow) else {
             return Verdict::Apart;
@@ -118,10 +124,19 @@ impl Pairs<'_> {
             let facing = predicates.facing(corners);
             piece.within(predicates, PlanePolygon::triangle(corners).shadow(facing))
         };
-        let others = || self.faces.triangles(earlier);
-        self.faces.triangles(later).all(|own| {
+        // A face that bends is painted triangle by triangle.
+        let is_part = |piece: &PaintedPiece, triangle: &u32| {
+            let plane = piece.polygon.face;
+            let corners = self.question.mesh.triangles()[*triangle as usize];
+            corners.iter().all(|x| plane.contains(x) || predicates.plane(plane, *x).is_zero())
+        };
+        let of = |piece: &'_ PaintedPiece| -> Vec<u32> {
+            self.faces.triangles(piece).filter(|triangle| is_part(piece, triangle)).collect()
+        };
+        let others = of(earlier);
+        of(later).into_iter().all(|own| {
             let Some(part) = within(over, own) else { return true };
-            others().all(|other| {
+            others.iter().all(|&other| {
                 self.sampled.precedes(own, other)
                     || within(&part, other)
                         .and_then(|part| {

@@ -35,6 +35,9 @@ pub struct PainterRow {
     pub owner: PaintTally,
     /// Whether there is no order, which is a defect.
     pub failed: bool,
+    /// If it was left out for its cuts: the most that were allowed, and the
+    /// faces that were not looked at.
+    pub left_out: Option<[usize; 2]>,
 }
 
 /// What a verification of painting orders found.
@@ -67,6 +70,12 @@ impl PaintReport {
         self.describe(what);
     }
 
+    /// The order takes more than `most` cuts of the faces that have an image.
+    pub(super) fn leave_out(&mut self, painter: Painter, most: usize, faces: usize) {
+        let left_out = Some([most, faces]);
+        self.rows.push(PainterRow { painter, left_out, ..PainterRow::default() });
+    }
+
     /// The row that was begun last.
     pub(super) fn last(&mut self) -> &mut PainterRow {
         if self.rows.is_empty() {
@@ -93,6 +102,11 @@ impl fmt::Display for PaintReport {
         heads.iter().try_for_each(|head| write!(f, " {head:>9}"))?;
         writeln!(f, " {:>9}", "border")?;
         for row in &self.rows {
+            if let Some([most, faces]) = row.left_out {
+                let name = row.painter.name();
+                writeln!(f, "{name:<7} left out: more than {most} cuts of {faces} faces")?;
+                continue;
+            }
             write!(f, "{:<7} {:>9} {:>9}", row.painter.name(), row.pieces, row.cuts)?;
             for tally in [row.area, row.order, row.owner] {
                 write!(f, " {:>9} {:>9}", tally.agree, tally.differ)?;

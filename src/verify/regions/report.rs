@@ -15,18 +15,6 @@ pub struct RegionTally {
     pub differ: u64,
 }
 
-/// Pieces that are a border or a visible line, but not both.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Surplus {
-    /// Visible pieces of lines without a face that has an image.
-    pub faceless: u64,
-    /// Visible pieces that lie on another face, which is seen instead of
-    /// their own.
-    pub on_other_face: u64,
-    /// Borders on which a nearer line is drawn.
-    pub below_other_line: u64,
-}
-
 /// What a verification of regions found.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RegionReport {
@@ -34,10 +22,6 @@ pub struct RegionReport {
     pub skipped: Option<String>,
     /// Regions, disjoint and together the images.
     pub area: RegionTally,
-    /// Whether faces lie between the eye and the near plane, or reach through
-    /// it. These hide lines, which regions do not know, so overlaps and owners
-    /// are all that is looked for.
-    pub near_faces: bool,
     /// Samples.
     pub owner: RegionTally,
     /// Samples on an edge of the triangle that they see, where it ties with
@@ -45,8 +29,9 @@ pub struct RegionReport {
     pub samples_on_edges: u64,
     /// Pieces of lines.
     pub border: RegionTally,
-    /// Pieces that differ as they should.
-    pub surplus: Surplus,
+    /// Pieces that regions show and faces hide only with what of them lies
+    /// before the near plane, which regions do not know.
+    pub before_near: u64,
     described: Vec<String>,
     pub(super) segments: Vec<[DVec2; 2]>,
 }
@@ -77,9 +62,7 @@ impl RegionReport {
         add(&mut self.owner, other.owner);
         add(&mut self.border, other.border);
         self.samples_on_edges += other.samples_on_edges;
-        self.surplus.faceless += other.surplus.faceless;
-        self.surplus.on_other_face += other.surplus.on_other_face;
-        self.surplus.below_other_line += other.surplus.below_other_line;
+        self.before_near += other.before_near;
         self.segments.extend(other.segments);
         other.described.into_iter().for_each(|what| self.describe(what));
     }
@@ -98,14 +81,9 @@ impl fmt::Display for RegionReport {
         if self.samples_on_edges > 0 {
             writeln!(f, "owner: besides, {} samples on edges", self.samples_on_edges)?;
         }
-        let Surplus { faceless, on_other_face, below_other_line } = self.surplus;
-        writeln!(
-            f,
-            "border: besides, {faceless} visible pieces of lines without a face that shows, \
-             {on_other_face} on another face, {below_other_line} borders below another line"
-        )?;
-        if self.near_faces {
-            writeln!(f, "area: overlaps only, border: not run (faces before the near plane)")?;
+        if self.before_near > 0 {
+            let count = self.before_near;
+            writeln!(f, "border: besides, {count} pieces hidden only before the near plane")?;
         }
         self.described.iter().try_for_each(|what| writeln!(f, "{what}"))
     }

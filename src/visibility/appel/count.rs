@@ -48,7 +48,7 @@ impl<P: Policy> Walker<'_, P> {
         if self.fault == Some(Fault::StartVisible) {
             return Sides::default();
         }
-        let start = walk.start;
+        let [start, _] = walk.probed.ends;
         let mut sum = Sides::default();
         let Some(vertex) = walk.vertices[0] else {
             self.triangles.visit(
@@ -76,7 +76,7 @@ impl<P: Policy> Walker<'_, P> {
         if self.from_vertex.vertex == Some(start) {
             return self.one_hides(&self.from_vertex.hiding, end);
         }
-        self.count_from(start, &walk.start, Some(end));
+        self.count_from(start, &walk.probed.ends[0], Some(end));
         self.from_vertex.counted.is_none() || self.one_hides(&self.from_vertex.hiding, end)
     }
 

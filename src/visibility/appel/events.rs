@@ -42,7 +42,7 @@ impl<P: Policy> Walker<'_, P> {
         let mut tested = 0;
         let mut events = std::mem::take(&mut self.events);
         let mut met_ends = [false; 2];
-        self.effective.candidates_among(&self.nearby, &walk.probe, |index| {
+        self.effective.candidates_among(&self.nearby, &walk.probed.probe, |index| {
             tested += 1;
             events.extend(self.crossing(walk, index, &mut met_ends));
         });
@@ -127,7 +127,7 @@ impl<P: Policy> Walker<'_, P> {
                 events.extend(known.of_edge(edge).filter_map(|t| self.piercing(walk, t)));
             }
             _ => {
-                let probe = walk.probe;
+                let probe = walk.probed.probe;
                 self.triangles.visit(
                     |group| group.overlapping(probe.bounds()) & group.meeting_line(&probe),
                     |triangle| events.extend(self.piercing(walk, triangle)),

@@ -25,12 +25,11 @@ pub(super) fn is_outside(question: &LineQuestion<'_>, line: &FeatureLine) -> boo
             .is_some_and(|[low, high]| high.cmplt(window[0]).any() || window[1].cmplt(low).any())
     };
     match line.origin {
-        LineOrigin::Edge(edge) => outside(&question.mesh.edges().ends(edge)),
-        LineOrigin::Loose(index) => outside(&question.mesh.loose_lines()[index as usize]),
         LineOrigin::Intersection(index) => {
             let triangles = question.intersections[index as usize].triangles;
             triangles.iter().any(|&triangle| outside(&question.mesh.triangles()[triangle as usize]))
         }
+        _ => line.origin.vertices(question.mesh).is_some_and(|ends| outside(&ends)),
     }
 }
 

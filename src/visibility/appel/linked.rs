@@ -100,7 +100,7 @@ impl Part {
 fn plain(question: &LineQuestion<'_>, line: &FeatureLine) -> Option<Link> {
     match line.origin {
         LineOrigin::Edge(edge) => Some(Link::plain(question.mesh.edges().ends(edge))),
-        LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+        _ => None,
     }
 }
 
@@ -183,7 +183,7 @@ fn first_pass<P: Policy>(
                 walker.begin(line).ok_or(Kind::Imageless)
             });
         }
-        let boxes = walks.iter().flatten().map(|walk| walk.probe.bounds());
+        let boxes = walks.iter().flatten().map(|walk| walk.probed.probe.bounds());
         let around = boxes.fold(Bounds::EMPTY, |sum, bounds| sum.union(bounds));
         walker.nearby = walker.effective.look_around(&around);
         for (line, walk) in neighbours.iter().zip(&walks) {

@@ -7,7 +7,7 @@
 //! marked cell are put into one. What is left out neither hides nor pierces
 //! anything that is asked about.
 
-use crate::model::{FeatureLine, LineOrigin};
+use crate::model::FeatureLine;
 use crate::run::{map_chunks, map_small};
 use crate::spatial::{Bounds, Hierarchy};
 use crate::view::LineQuestion;
@@ -104,11 +104,7 @@ impl Cells {
     }
 
     fn mark_line(&mut self, question: &LineQuestion<'_>, line: &FeatureLine) -> Option<()> {
-        let ends = match line.origin {
-            LineOrigin::Edge(edge) => question.mesh.edges().ends(edge),
-            LineOrigin::Loose(index) => question.mesh.loose_lines()[index as usize],
-            LineOrigin::Intersection(_) => return None,
-        };
+        let ends = line.origin.vertices(question.mesh)?;
         let [start, end] = ends.map(|vertex| question.coordinates.bounds([vertex]));
         let around = start.union(&end);
         if !(around.low.is_finite() && around.high.is_finite()) {

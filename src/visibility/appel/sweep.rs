@@ -36,12 +36,12 @@ impl<P: Policy> Walker<'_, P> {
         for group in events.chunk_by(|a, b| order(a, b) == Ordering::Equal) {
             let before = sum.invisibility();
             // Of cuts in one place one is named, in whatever order they
-            // were found.
-            let mut cut = group[0].cut;
+            // were found, and by vertices in an order of their own.
+            let mut cut = group[0].cut.canonical();
             for event in group {
                 sum.left += event.change.left;
                 sum.right += event.change.right;
-                cut = cut.min(event.cut);
+                cut = cut.min(event.cut.canonical());
             }
             if sum.invisibility() != before {
                 let to = Place::Cut(cut);

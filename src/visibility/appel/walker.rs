@@ -7,8 +7,8 @@ use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
 use crate::model::{FeatureLine, LineOrigin};
 use crate::run::Counters;
-use crate::spatial::{Bounds, Crossings, Hierarchy, Nearby, SegmentProbe};
-use crate::view::{Covered, ExactPiece, LineQuestion};
+use crate::spatial::{Crossings, Hierarchy, Nearby};
+use crate::view::{Covered, ExactPiece, LineQuestion, ProbedLine};
 
 /// Counts on the two sides of a line: the number of sheets in front of it
 /// when it is moved infinitesimally to its left or right in the image.
@@ -52,9 +52,8 @@ pub(super) struct Walk {
     pub(super) edge: Option<u32>,
     /// Triangles that contain an intersection line by construction.
     pub(super) own: [u32; 2],
-    pub(super) probe: SegmentProbe,
-    /// A box around the image and depth of the start.
-    pub(super) start: Bounds,
+    /// Where it may be.
+    pub(super) probed: ProbedLine,
     /// Whether the line is cut by the near plane; then the walk starts at
     /// the end in front of it.
     pub(super) cut: bool,
@@ -247,46 +246,27 @@ impl<'q, P: Policy> Walker<'q, P> {
         });
         let edge = match line.origin {
             LineOrigin::Edge(edge) => Some(edge),
-            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => None,
+            _ => None,
         };
-        let (own, probe) = match line.origin {
-            LineOrigin::Intersection(index) => {
-                let own = question.intersections[index as usize].triangles;
-                let [s, t] =
-                    own.map(|i| question.coordinates.bounds(question.mesh.triangles()[i as usize]));
-                // The segment lies in both triangles; its ends are not
-                // known in floats, so only the box counts.
-                let nowhere = [f32::NAN; 2];
-                (own, SegmentProbe::new(s.intersection(&t), nowhere, nowhere))
-            }
-            LineOrigin::Edge(_) | LineOrigin::Loose(_) => {
-                let [Some(a), Some(b)] = vertices else {
-                    return None;
-                };
-                ([NONE; 2], question.coordinates.probe([a, b]))
-            }
+        let own = match line.origin {
+            LineOrigin::Intersection(index) => question.intersections[index as usize].triangles,
+            LineOrigin::Edge(_) | LineOrigin::Stretch(_) | LineOrigin::Loose(_) => [NONE; 2],
         };
         let walk = Walk {
             carrier,
             vertices,
             edge,
             own,
-            start: self.start_box(vertices[0], &probe),
-            probe,
+            probed: question.probe(&self.predicates, line),
             cut: false,
             backwards: false,
         };
         (self.has_image(&walk)).then_some(walk)
     }
 
-    fn start_box(&self, vertex: Option<u32>, probe: &SegmentProbe) -> Bounds {
-        vertex.map_or(*probe.bounds(), |vertex| self.question.coordinates.bounds([vertex]))
-    }
-
     /// Whether the image of the line is more than a point.
     fn has_image(&self, walk: &Walk) -> bool {
-        if let [Some(a), Some(b)] = walk.vertices {
-            let [a, b] = [a, b].map(|vertex| self.question.coordinates.bounds([vertex]));
+        if let ([Some(_), Some(_)], [a, b]) = (walk.vertices, walk.probed.ends) {
             let apart = (0..2).any(|i| a.high[i] < b.low[i] || b.high[i] < a.low[i]);
             // Vertices behind the eye have no boxes, and may be one image
             // with one in front: the line passes through the eye.
@@ -303,7 +283,7 @@ impl<'q, P: Policy> Walker<'q, P> {
         Walk {
             carrier: walk.carrier.reversed(),
             vertices: [last, first],
-            start: self.start_box(last, &walk.probe),
+            probed: walk.probed.turned(),
             backwards: !walk.backwards,
             ..*walk
         }

@@ -35,7 +35,7 @@ pub(super) struct Face {
 
 /// All parts, by the rank of their first triangles: of two in one plane that
 /// overlap, the one with the lesser number is seen.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Faces {
     pub(super) list: Vec<Face>,
 }

@@ -65,12 +65,13 @@ pub(super) fn order<P: Policy>(
     question: &LineQuestion<'_>,
     faces: &Faces,
     sheets: Vec<Sheet>,
+    most_cuts: usize,
     run: &Run<'_>,
 ) -> Result<Ordered, PainterError> {
     let count = sheets.len() as u64;
     let mut graph = run.stage("painter-graph", count, || linked::<P>(question, sheets, run))?;
     let judge = Judge::<P>::new(Predicates::new(question.points));
-    run.stage("painter-cycles", count, || graph.resolve(&judge, run))?;
+    run.stage("painter-cycles", count, || graph.resolve(&judge, most_cuts, run))?;
     let order = run.stage("painter-order", count, || graph.order(&judge.predicates, faces));
     judge.report(run);
     Ok(Ordered { sheets: order, cuts: graph.cuts })
@@ -117,6 +118,7 @@ impl Graph {
     fn resolve<P: Policy>(
         &mut self,
         judge: &Judge<'_, P>,
+        most_cuts: usize,
         run: &Run<'_>,
     ) -> Result<(), PainterError> {
         let mut scratch = Scratch::default();
@@ -135,6 +137,9 @@ impl Graph {
                 run.take(self.bytes_of_cut(cut))?;
                 run.advance(0);
                 component.extend(self.cut(judge, cut, run));
+                if most_cuts < self.cuts {
+                    return Err(PainterError::TooManyCuts(most_cuts));
+                }
             }
             run.check()?;
             open.extend(self.components_of(component, &mut scratch, &mut next_label));

@@ -5,12 +5,14 @@
 //! closed again. So a face that was parted at inner edges only, or cut and not
 //! parted by another in the order, is printed whole. What is drawn of a border are
 //! sides on edges that are lines of the question; sides that cuts made are
-//! never drawn.
+//! never drawn. A face that bends is one shape as far as its pieces turn alike
+//! and none lies upon another: what winds around a place is then never
+//! cancelled, and no line shows through.
 
 use super::PainterError;
-use crate::kernel::predicates::{Exact, PlanePoint, Predicates};
+use crate::kernel::predicates::{Exact, InputPlane, PlanePoint, Predicates};
 use crate::model::{LineClass, LineOrigin, Mesh};
-use crate::polygon::{PlaneCorner, Side};
+use crate::polygon::{PlaneCorner, PlanePolygon, Side};
 use crate::run::Counters;
 use crate::view::{
     ImageRegion, LinePiece, LineQuestion, LineSource, PaintOrder, PaintedFace, PaintedPiece,
@@ -32,10 +34,15 @@ pub fn painted_image(
     super::check_view(question)?;
     let predicates = Predicates::<Exact>::new(question.points);
     let mut printer =
-        Printer { question, predicates, classes: classes(question), pieces: Vec::new() };
+        Printer { question, predicates, drawn: drawn_edges(question), pieces: Vec::new() };
     let mut faces = Vec::new();
     for run in order.pieces.chunk_by(|a, b| a.area == b.area) {
-        faces.push(printer.face(run));
+        let mut rest = run;
+        while !rest.is_empty() {
+            let (shape, others) = rest.split_at(printer.one_shape(rest));
+            faces.push(printer.face(shape));
+            rest = others;
+        }
     }
     let lines = VisibleLines {
         frame: *question.frame,
@@ -46,13 +53,28 @@ pub fn painted_image(
     Ok((faces, lines))
 }
 
-/// The class of each edge that is a line of the question.
-fn classes(question: &LineQuestion<'_>) -> FxHashMap<[u32; 2], LineClass> {
-    let edges = question.lines.iter().filter_map(|line| match line.origin {
-        LineOrigin::Edge(edge) => Some((sorted(question.mesh.edges().ends(edge)), line.class)),
-        _ => None,
-    });
-    edges.collect()
+/// What is drawn of the edges that are lines of the question, as a whole or in
+/// stretches: vertices at the ends, and the class.
+fn drawn_edges(question: &LineQuestion<'_>) -> FxHashMap<[u32; 2], Vec<([u32; 2], LineClass)>> {
+    let mesh = question.mesh;
+    let mut drawn: FxHashMap<[u32; 2], Vec<([u32; 2], LineClass)>> = FxHashMap::default();
+    for line in question.lines {
+        match line.origin {
+            LineOrigin::Edge(edge) => {
+                let ends = mesh.edges().ends(edge);
+                drawn.entry(ends).or_default().push((ends, line.class));
+            }
+            LineOrigin::Stretch(index) => {
+                let ends = mesh.borders().stretches()[index as usize].ends;
+                for side in mesh.borders().sides(index, false) {
+                    let own = mesh.edges().ends(side.edge);
+                    drawn.entry(own).or_default().push((ends, line.class));
+                }
+            }
+            LineOrigin::Loose(_) | LineOrigin::Intersection(_) => {}
+        }
+    }
+    drawn
 }
 
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
@@ -69,11 +91,49 @@ struct Stretch {
 struct Printer<'q> {
     question: &'q LineQuestion<'q>,
     predicates: Predicates<'q, Exact>,
-    classes: FxHashMap<[u32; 2], LineClass>,
+    /// By the vertices of an edge.
+    drawn: FxHashMap<[u32; 2], Vec<([u32; 2], LineClass)>>,
     pieces: Vec<LinePiece>,
 }
 
 impl Printer<'_> {
+    /// How many of some pieces of one area are one shape, from the first.
+    fn one_shape(&self, pieces: &[PaintedPiece]) -> usize {
+        let facing = |piece: &PaintedPiece| self.question.facing[piece.triangle as usize];
+        let alike = pieces.iter().take_while(|piece| facing(piece) == facing(&pieces[0])).count();
+        if !self.bends(&pieces[..alike]) {
+            return alike;
+        }
+        let is_apart =
+            |i: &usize| pieces[..*i].iter().all(|earlier| self.are_apart(earlier, &pieces[*i]));
+        1 + (1..alike).take_while(is_apart).count()
+    }
+
+    /// Whether some of these pieces lie in another plane than the first.
+    fn bends(&self, pieces: &[PaintedPiece]) -> bool {
+        let mesh = self.question.mesh;
+        let corners = |piece: &PaintedPiece| mesh.triangles()[piece.triangle as usize];
+        let plane = corners(&pieces[0]);
+        let is_in = |x: &u32| plane.contains(x) || self.predicates.plane(plane, *x).is_zero();
+        pieces[1..].iter().any(|piece| !corners(piece).iter().all(is_in))
+    }
+
+    /// Whether the images of two pieces have no area in common.
+    fn are_apart(&self, first: &PaintedPiece, second: &PaintedPiece) -> bool {
+        let LineQuestion { mesh, coordinates, facing, .. } = *self.question;
+        let [one, other] = [first, second].map(|piece| piece.triangle as usize);
+        let [box_one, box_other] =
+            [one, other].map(|triangle| coordinates.bounds(mesh.triangles()[triangle]));
+        one == other
+            || !box_one.of_any_depth().overlaps(&box_other)
+            || PlanePolygon::are_apart(
+                &self.predicates,
+                [&first.polygon, &second.polygon],
+                first.polygon.shadow(facing[one]),
+                second.polygon.shadow(facing[other]),
+            )
+    }
+
     /// Some pieces of one flat area.
     fn face(&mut self, pieces: &[PaintedPiece]) -> PaintedFace {
         let border = border(pieces);
@@ -81,8 +141,10 @@ impl Printer<'_> {
         let object = pieces[0].object;
         for stretch in &border {
             let Side::Edge { ends, is_inner: false } = stretch.side else { continue };
-            if let Some(&class) = self.classes.get(&sorted(ends)) {
-                self.draw(stretch, ends, class, object);
+            for (part, class) in self.drawn.get(&sorted(ends)).cloned().unwrap_or_default() {
+                if let Some(points) = self.common(stretch.ends, ends, part) {
+                    self.draw(points, ends, class, object);
+                }
             }
         }
         let rings = rings(&border);
@@ -100,8 +162,40 @@ impl Printer<'_> {
         PaintedFace { region, lines: first..self.pieces.len() as u32 }
     }
 
-    fn draw(&mut self, stretch: &Stretch, ends: [u32; 2], class: LineClass, object: u32) {
-        let [start, end] = stretch.ends.map(|point| self.place(point));
+    /// What a side, which runs along an edge from its first vertex towards its
+    /// second, and a part of that edge between two vertices have in common.
+    fn common(
+        &self,
+        [start, end]: [PlanePoint; 2],
+        edge: [u32; 2],
+        part: [u32; 2],
+    ) -> Option<[PlanePoint; 2]> {
+        if sorted(edge) == part {
+            return Some([start, end]);
+        }
+        // Along an axis the points of a line are in order.
+        let beyond = |point: PlanePoint, vertex: u32, axis: u8| {
+            self.predicates.above(InputPlane::Across(vertex, axis).into(), point)
+        };
+        let second = PlanePoint::Vertex(edge[1]);
+        let axis = (0..3).find(|&axis| !beyond(second, edge[0], axis).is_zero())?;
+        let onward = beyond(second, edge[0], axis);
+        let is_past = |point: PlanePoint, vertex: u32| beyond(point, vertex, axis) == onward;
+        let [first, last] = match is_past(PlanePoint::Vertex(part[1]), part[0]) {
+            true => part,
+            false => [part[1], part[0]],
+        };
+        let is_before = |point, vertex| beyond(point, vertex, axis) == -onward;
+        (is_before(start, last) && is_past(end, first)).then(|| {
+            [
+                if is_before(start, first) { PlanePoint::Vertex(first) } else { start },
+                if is_past(end, last) { PlanePoint::Vertex(last) } else { end },
+            ]
+        })
+    }
+
+    fn draw(&mut self, points: [PlanePoint; 2], ends: [u32; 2], class: LineClass, object: u32) {
+        let [start, end] = points.map(|point| self.place(point));
         let mesh = self.question.mesh;
         let run = self.pieces.len() as u32;
         self.pieces.push(LinePiece {

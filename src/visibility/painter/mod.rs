@@ -123,6 +123,8 @@ impl PainterFault {
 pub struct PainterOptions {
     /// How the order is found.
     pub painter: Painter,
+    /// Give up beyond so many cuts.
+    pub most_cuts: Option<usize>,
     /// A mistake to make.
     pub fault: Option<PainterFault>,
 }
@@ -136,6 +138,9 @@ pub enum PainterError {
     /// The eye is a point and nothing says what lies in front of it.
     #[error("painting a perspective view needs a near plane")]
     NoNearPlane,
+    /// The order takes more cuts than were allowed.
+    #[error("the painter's order takes more than {0} cuts, the most that were allowed")]
+    TooManyCuts(usize),
     /// Polygons are in a cycle and none cuts another, which cannot be.
     #[error("the painter found a cycle that no plane cuts: this is a mistake of the program")]
     NoCut,
@@ -146,16 +151,18 @@ pub enum PainterError {
 ///
 /// # Errors
 ///
-/// If the run is cancelled, or the view is a perspective one without a near
-/// plane.
+/// If the run is cancelled, the view is a perspective one without a near plane,
+/// or the order takes more cuts than allowed.
 pub fn paint_order<P: Policy>(
     question: &LineQuestion<'_>,
     options: &PainterOptions,
     run: &Run<'_>,
 ) -> Result<PaintOrder, PainterError> {
     check_view(question)?;
+    let most_cuts = options.most_cuts.unwrap_or(usize::MAX);
     if options.painter == Painter::Tree && options.fault.is_none() {
-        return PaintTree::new::<P>(question, run)?.order::<P>(question, run);
+        let tree = PaintTree::within::<P>(question, most_cuts, run)?;
+        return tree.ok_or(PainterError::TooManyCuts(most_cuts))?.order::<P>(question, run);
     }
     let count = question.mesh.triangles().len() as u64;
     let faces = run.stage("painted-faces", count, || faces::<P>(question, run))?;
@@ -164,8 +171,8 @@ pub fn paint_order<P: Policy>(
     run.check()?;
     let order = match options.painter {
         _ if options.fault.is_some() => by_depth::<P>(question, sheets),
-        Painter::Graph => graph::order::<P>(question, &faces, sheets, run)?,
-        _ => list::order::<P>(question, sheets, run)?,
+        Painter::Graph => graph::order::<P>(question, &faces, sheets, most_cuts, run)?,
+        _ => list::order::<P>(question, sheets, most_cuts, run)?,
     };
     let cuts = order.cuts;
     run.count("painter-cuts", cuts as u64);

@@ -10,7 +10,7 @@ use crate::view::{LineQuestion, PaintOrder};
 
 /// The faces of a mesh in a tree. Building it takes most of the time; the
 /// order for one more eye takes linear time, so a turntable builds it once.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct PaintTree {
     faces: Faces,
     tree: Bsp,
@@ -24,16 +24,27 @@ impl PaintTree {
     ///
     /// If the run is cancelled.
     pub fn new<P: Policy>(question: &LineQuestion<'_>, run: &Run<'_>) -> Result<Self, Cancelled> {
+        Ok(Self::within::<P>(question, usize::MAX, run)?.unwrap_or_default())
+    }
+
+    /// The same; nothing if that takes more than `most_cuts` cuts.
+    pub(super) fn within<P: Policy>(
+        question: &LineQuestion<'_>,
+        most_cuts: usize,
+        run: &Run<'_>,
+    ) -> Result<Option<Self>, Cancelled> {
         let count = question.mesh.triangles().len() as u64;
         let faces = run.stage("painted-faces", count, || faces::<P>(question, run))?;
         run.check()?;
         let predicates = Predicates::<P>::new(question.points);
         let polygons = faces.list.iter().map(|face| face.polygon.clone());
-        let tree = run.stage("painter-tree", count, || Bsp::new(&predicates, polygons, run))?;
+        let build = || Bsp::within(&predicates, polygons, most_cuts, run);
+        let tree = run.stage("painter-tree", count, build)?;
         run.merge(&predicates.counters());
+        let Some(tree) = tree else { return Ok(None) };
         run.count("painter-cuts", tree.cuts() as u64);
         run.count("painter-tree-nodes", tree.node_count() as u64);
-        Ok(PaintTree { faces, tree })
+        Ok(Some(PaintTree { faces, tree }))
     }
 
     /// How many cuts the tree took.

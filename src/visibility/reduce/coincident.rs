@@ -17,6 +17,7 @@
 
 use super::groups::groups_of;
 use super::line_piece;
+use super::rivals::{Depths, Rivals, Tier};
 use super::rounded::RoundedPiece;
 use crate::kernel::numbers::Sign;
 use crate::kernel::predicates::{Carrier, Place, Policy, Predicates, sort_by_predicates};
@@ -25,7 +26,6 @@ use crate::run::{Cancelled, Run, concat_map, map_chunks, map_indexed, sort_by};
 use crate::view::{LinePiece, LineQuestion};
 use glam::DVec2;
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
 
 /// Where a piece comes from: what it takes to ask predicates about it.
 #[derive(Debug, Clone, Copy)]
@@ -52,8 +52,8 @@ pub(super) fn resolve_coincident<P: Policy>(
     run.take((pieces.len() * each) as u64)?;
     let resolved = map_chunks(groups.len(), PART, |part| {
         let predicates = Predicates::<P>::new(question.points);
-        let origins = origins_wanted.then(|| Vec::with_capacity(part.len()));
-        let count = part.len();
+        let count = groups.members_of(part.clone());
+        let origins = origins_wanted.then(|| Vec::with_capacity(count));
         let (drawn, indices) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut found = Resolved { pieces: drawn, indices, origins, runs: 0 };
         for group in part.take_while(|_| !run.is_stopped()) {
@@ -186,8 +186,9 @@ struct Stop {
 /// The pieces of one image line, to be resolved.
 struct ImageLine<'a, P: Policy> {
     predicates: &'a Predicates<'a, P>,
-    reference: Carrier,
+    /// An axis that the line runs across, and in which sense.
     axis: u8,
+    sense: Sign,
     /// Roughly along the reference in the image.
     direction: DVec2,
     pieces: Vec<RoundedPiece>,
@@ -216,10 +217,11 @@ impl<'a, P: Policy> ImageLine<'a, P> {
             pieces.iter().max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or(&pieces[0]);
         let reference = carrier(longest);
         let [from, to] = longest.image;
+        let axis = predicates.axis_across(reference).unwrap_or(0);
         let mut line = ImageLine {
             predicates,
-            reference,
-            axis: predicates.axis_across(reference).unwrap_or(0),
+            axis,
+            sense: predicates.sense_across(reference, axis),
             direction: to - from,
             rank: ranks(question, &pieces),
             stops: Vec::with_capacity(2 * pieces.len()),
@@ -271,12 +273,8 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         if gap.abs() > 8.0 * (a.slack + b.slack) * reach + f64::MIN_POSITIVE {
             return if gap < 0.0 { Ordering::Less } else { Ordering::Greater };
         }
-        self.predicates.order_along_image(
-            self.reference,
-            self.axis,
-            (a.carrier, a.place),
-            (b.carrier, b.place),
-        )
+        let [a, b] = [a, b].map(|stop| (stop.carrier, stop.place));
+        self.predicates.order_across(self.axis, self.sense, a, b)
     }
 
     /// Draws each stretch once: parts of pieces with the indices of these,
@@ -285,7 +283,7 @@ impl<'a, P: Policy> ImageLine<'a, P> {
     fn resolve(mut self, asked: &Run<'_>) -> Vec<(u32, RoundedPiece)> {
         let mut stops = std::mem::take(&mut self.stops);
         sort_by_predicates::<P, _>(&mut stops, |a, b| self.compare(a, b));
-        let mut active: BTreeSet<(u32, u32)> = BTreeSet::new();
+        let mut active = Rivals::default();
         let mut result: Vec<(u32, RoundedPiece)> = Vec::new();
         let mut drawn: Option<((u32, bool), Stop)> = None;
         let mut outlines = 0;
@@ -295,18 +293,16 @@ impl<'a, P: Policy> ImageLine<'a, P> {
                 break;
             }
             for stop in group {
-                let entry = (self.rank[stop.piece as usize], stop.piece);
                 let own = i32::from(self.pieces[stop.piece as usize].outline);
-                if stop.begins {
-                    active.insert(entry);
-                    outlines += own;
-                } else {
-                    active.remove(&entry);
-                    outlines -= own;
-                }
+                outlines += if stop.begins { own } else { -own };
             }
+            let those = |begin: bool| group.iter().filter(move |stop| stop.begins == begin);
+            those(false).for_each(|stop| active.remove(stop.piece, &self));
+            those(true).for_each(|stop| active.add(stop.piece, &self));
+            // What begins and ends in one place, as an inexact policy sees it.
+            those(false).for_each(|stop| active.remove(stop.piece, &self));
             // What is an outline to any of the lines is one.
-            let best = self.best(&active).map(|piece| (piece, outlines > 0));
+            let best = active.best(&self).map(|piece| (piece, outlines > 0));
             if best != drawn.map(|(piece, _)| piece) {
                 if let Some(((piece, outline), from)) = drawn {
                     let stretch = self.stretch(piece, &from, &self.stop_of(piece, group), run);
@@ -326,34 +322,18 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         result
     }
 
-    /// The piece that is drawn where several lie on one another: the nearest
-    /// of those that are equally visible and of one class.
-    fn best(&self, active: &BTreeSet<(u32, u32)>) -> Option<u32> {
-        let mut pieces = active.iter().map(|&(_, piece)| piece);
-        let first = pieces.next()?;
-        let tier =
-            |piece: u32| (self.pieces[piece as usize].invisibility, self.classes[piece as usize]);
-        let rivals = pieces.take_while(|&piece| tier(piece) == tier(first));
-        Some(rivals.fold(first, |best, piece| if self.hides(piece, best) { piece } else { best }))
-    }
-
-    /// Whether one piece is nearer than another wherever they lie on one
-    /// another.
-    fn hides(&self, piece: u32, other: u32) -> bool {
+    /// On which side in depth one piece lies of another, at the beginning and
+    /// at the end of what they have in common: positive is nearer.
+    fn nearness(&self, piece: u32, other: u32) -> [Sign; 2] {
         let [x, y] = [piece, other].map(|piece| &self.ends[piece as usize]);
         let nearer = |stop: &Stop, line: Carrier| {
             self.predicates.nearer_than(line, self.axis, (stop.carrier, stop.place))
         };
-        // The stretch begins with the later begin and ends with the earlier end.
-        let signs = [Ordering::Less, Ordering::Greater].into_iter().zip(x.iter().zip(y));
-        let mut signs = signs.map(|(outside, (x, y))| {
+        // It begins with the later begin and ends with the earlier end.
+        [(0, Ordering::Less), (1, Ordering::Greater)].map(|(end, outside)| {
+            let (x, y) = (&x[end], &y[end]);
             if self.compare(x, y) == outside { -nearer(y, x.carrier) } else { nearer(x, y.carrier) }
-        });
-        let first = signs.next().unwrap_or(Sign::Zero);
-        first != Sign::Negative && {
-            let last = signs.next().unwrap_or(Sign::Zero);
-            last != Sign::Negative && first.or(last) == Sign::Positive
-        }
+        })
     }
 
     /// The stop where a piece ends that stands for all stops of one place.
@@ -390,6 +370,30 @@ impl<'a, P: Policy> ImageLine<'a, P> {
         } else {
             near + (far - near) * t
         }
+    }
+}
+
+impl<P: Policy> Depths for ImageLine<'_, P> {
+    fn tier(&self, piece: u32) -> Tier {
+        (self.pieces[piece as usize].invisibility, self.classes[piece as usize])
+    }
+
+    fn rank(&self, piece: u32) -> u32 {
+        self.rank[piece as usize]
+    }
+
+    fn compare(&self, one: u32, other: u32) -> Option<Ordering> {
+        let [first, last] = self.nearness(one, other);
+        if first.is_opposite(last) {
+            return None;
+        }
+        let farther = Ordering::from(-first.or(last));
+        Some(farther.then(self.rank(one).cmp(&self.rank(other))))
+    }
+
+    fn hides(&self, one: u32, other: u32) -> bool {
+        let [first, last] = self.nearness(one, other);
+        !first.is_opposite(last) && first.or(last) == Sign::Positive
     }
 }
 
@@ -457,7 +461,7 @@ fn compare_sources(question: &LineQuestion<'_>, x: u32, y: u32) -> Ordering {
             let triangles = question.intersections[index as usize].triangles;
             Some(triangles.map(|triangle| question.mesh.object_of_triangle(triangle)))
         }
-        LineOrigin::Edge(_) | LineOrigin::Loose(_) => None,
+        _ => None,
     };
     let ends = |line: u32| {
         let carrier = question.carrier(&question.lines[line as usize]);

@@ -11,6 +11,7 @@
 mod coincident;
 mod groups;
 mod passing;
+mod rivals;
 mod rounded;
 
 use crate::kernel::predicates::{Policy, Predicates};

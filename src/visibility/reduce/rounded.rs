@@ -1,6 +1,6 @@
 //! Rounding of exact places to the view frame.
 
-use crate::kernel::predicates::{Carrier, Cut, Place, Point, Policy, Predicates};
+use crate::kernel::predicates::{Carrier, Cut, Division, Place, Point, Policy, Predicates};
 use crate::view::{ExactPiece, LineQuestion};
 use glam::{DVec2, DVec3};
 
@@ -36,28 +36,44 @@ pub(super) fn round_line<P: Policy>(
     }
     let carrier = question.carrier(&question.lines[line as usize]);
     let ends = carrier.ends.map(|point| round_point(question, predicates, point));
-    let place = |place| match place {
-        Place::Start => ends[0],
-        Place::End => ends[1],
-        Place::Cut(cut) => round_cut(predicates, carrier, cut, ends),
+    let division = predicates.division(carrier);
+    let rounded = |place| {
+        let point = match place {
+            Place::Start => ends[0],
+            Place::End => ends[1],
+            Place::Cut(cut) => round_cut(predicates, (carrier, &division), cut, ends),
+        };
+        let (image, depth) = question.coordinates.project(point);
+        Rounded { image, depth, slack: question.coordinates.image_slack(point) }
     };
+    // Most pieces begin where the one before them ends.
+    let mut last: Option<(Place, Rounded)> = None;
     for piece in exact {
-        let points = [place(piece.from), place(piece.to)];
-        let (slack, projected) = (
-            points.map(|point| question.coordinates.image_slack(point)),
-            points.map(|point| question.coordinates.project(point)),
-        );
+        let from = match last {
+            Some((place, known)) if place == piece.from => known,
+            _ => rounded(piece.from),
+        };
+        let to = rounded(piece.to);
+        last = Some((piece.to, to));
         pieces.push(RoundedPiece {
             line,
             invisibility: piece.invisibility,
             outline: piece.outline,
             places: [piece.from, piece.to],
-            image: projected.map(|(image, _)| image),
-            depth: projected.map(|(_, depth)| depth),
-            slack: slack[0].max(slack[1]),
+            image: [from.image, to.image],
+            depth: [from.depth, to.depth],
+            slack: from.slack.max(to.slack),
             run: 0,
         });
     }
+}
+
+/// A place in the view frame.
+#[derive(Clone, Copy)]
+struct Rounded {
+    image: DVec2,
+    depth: f64,
+    slack: f64,
 }
 
 /// A point along right, up and forward.
@@ -69,9 +85,13 @@ fn round_point<P: Policy>(
     match point {
         Point::Vertex(vertex) => question.coordinates.point(vertex),
         Point::Piercing(piercing) => {
-            let carrier = Carrier::edge(piercing.edge[0], piercing.edge[1]);
-            let ends = piercing.edge.map(|vertex| question.coordinates.point(vertex));
-            round_cut(predicates, carrier, Cut::Face(piercing.face), ends)
+            // As the edge itself is rounded there.
+            let [a, b] = piercing.edge;
+            let edge = [a.min(b), a.max(b)];
+            let carrier = Carrier::edge(edge[0], edge[1]);
+            let ends = edge.map(|vertex| question.coordinates.point(vertex));
+            let division = predicates.division(carrier);
+            round_cut(predicates, (carrier, &division), Cut::Face(piercing.face), ends)
         }
     }
 }
@@ -79,12 +99,12 @@ fn round_point<P: Policy>(
 /// The place of a cut on a carrier with these rounded ends.
 fn round_cut<P: Policy>(
     predicates: &Predicates<'_, P>,
-    carrier: Carrier,
+    (carrier, division): (Carrier, &Division<'_>),
     cut: Cut,
     ends: [DVec3; 2],
 ) -> DVec3 {
     let values = carrier.ends.map(|point| predicates.value(cut, point));
-    let parameter = predicates.parameter(carrier, cut, &values);
+    let parameter = division.parameter(cut, &values);
     // From the nearer end, so that a cut next to an end keeps its digits.
     if parameter <= 0.5 {
         ends[0] + (ends[1] - ends[0]) * parameter

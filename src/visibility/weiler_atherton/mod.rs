@@ -37,11 +37,14 @@
 //! Sources: K. Weiler and P. Atherton, "Hidden surface removal using polygon
 //! area sorting", 1977.
 
+mod borders;
 mod cover;
 mod hiding;
 mod image;
 mod lines;
 mod outline;
+mod place;
+mod sides;
 
 pub use image::image_regions;
 pub use lines::region_lines;

@@ -31,6 +31,9 @@ pub(crate) fn assert_same_picture(a: &VisibleLines, b: &VisibleLines, what: &str
 /// The distance of a point from a segment.
 pub(crate) fn distance(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     let along = to - from;
+    if along == DVec2::ZERO {
+        return point.distance(from);
+    }
     let t = ((point - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
     point.distance(from.lerp(to, t))
 }

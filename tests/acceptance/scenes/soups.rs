@@ -25,10 +25,13 @@ pub(crate) enum Kind {
     Turned,
     /// Grid triangles far from the origin, moved by single bits.
     Nearly,
+    /// Rectangles and halves of them along the lines of the grid: sides that lie
+    /// on one another in part, faces that cross along their sides.
+    Cards,
 }
 
 impl Kind {
-    pub(crate) const ALL: [Kind; 7] = [
+    pub(crate) const ALL: [Kind; 8] = [
         Kind::General,
         Kind::Grid,
         Kind::Pool,
@@ -36,6 +39,7 @@ impl Kind {
         Kind::Planes,
         Kind::Turned,
         Kind::Nearly,
+        Kind::Cards,
     ];
 }
 
@@ -49,6 +53,7 @@ pub(crate) fn random_soups(random: &mut Random, kind: Kind) -> Vec<Soup> {
         .map(|_| {
             let faces = match kind {
                 Kind::Boxes => random_boxes(random),
+                Kind::Cards => random_cards(random),
                 _ => random_faces(random, kind, &pool),
             };
             let lines: Vec<[DVec3; 2]> = (0..random.below(4))
@@ -97,6 +102,39 @@ fn parallelogram(random: &mut Random) -> Vec<DVec3> {
     vec![corner, corner + a, corner + a + b, corner + b]
 }
 
+/// Faces between lines of the grid in a few planes across the axes.
+fn random_cards(random: &mut Random) -> Vec<Vec<DVec3>> {
+    (0..2 + random.below(8)).map(|_| random_card(random)).collect()
+}
+
+/// A rectangle across an axis, or half of it.
+pub(crate) fn random_card(random: &mut Random) -> Vec<DVec3> {
+    let axis = random.below(3) as usize;
+    let mut range = || {
+        let [a, b] = [random.below(4), random.below(4)];
+        let high = if a == b { b + 1 } else { b.max(a) };
+        [a.min(b) as f64, high as f64]
+    };
+    let [[left, right], [bottom, top]] = [range(), range()];
+    let height = random.below(3) as f64;
+    let corner = |x: f64, y: f64| {
+        let mut place = [x, y, height];
+        place.rotate_right(axis);
+        DVec3::from(place)
+    };
+    let mut card =
+        vec![corner(left, bottom), corner(right, bottom), corner(right, top), corner(left, top)];
+    let turns = random.below(4) as usize;
+    card.rotate_left(turns);
+    if random.one_in(4) {
+        card.pop();
+    }
+    if random.one_in(2) {
+        card.reverse();
+    }
+    card
+}
+
 fn random_boxes(random: &mut Random) -> Vec<Vec<DVec3>> {
     let mut faces = Vec::new();
     for _ in 0..1 + random.below(2) {
@@ -119,7 +157,9 @@ fn random_point(random: &mut Random, kind: Kind, pool: &[DVec3]) -> DVec3 {
                 _ => point.with_z(1.0),
             }
         }
-        Kind::Grid | Kind::Boxes | Kind::Turned | Kind::Nearly => random.grid_point(4),
+        Kind::Grid | Kind::Boxes | Kind::Turned | Kind::Nearly | Kind::Cards => {
+            random.grid_point(4)
+        }
     }
 }
 

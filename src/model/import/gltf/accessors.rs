@@ -4,12 +4,10 @@
 //! is read or allocated. Every component type goes through f64, which holds
 //! all of them exactly.
 
-use ::gltf::json::accessor::{Accessor, ComponentType, Type, sparse};
-use ::gltf::json::validation::Checked;
-
 use super::super::error::{Fault, Read};
 use super::super::json_places::Step;
 use super::container::Document;
+use super::document::{Accessor, Natural, Sparse, SparsePart};
 
 /// Elements of an accessor without a buffer view are zero and cost no bytes,
 /// so their number needs a limit of its own.
@@ -23,26 +21,22 @@ impl Document<'_> {
         number: usize,
         user: &[Step<'_>],
     ) -> Read<Vec<[f64; N]>> {
-        let Some(accessor) = self.root.accessors.get(number) else {
-            let count = self.root.accessors.len();
-            let message = format!("accessor {number} does not exist, expected less than {count}");
-            return Err(self.fault(user, message));
-        };
-        let component = self.component::<N>(accessor, number)?;
-        let scale = if accessor.normalized { component.largest() } else { 1.0 };
-        let count = accessor.count.0;
-        let start = accessor.byte_offset.unwrap_or_default().0;
+        let accessor = self.accessor(number, user)?;
         let at = Place { accessor: number, part: None };
+        let component = self.component::<N>(accessor, number)?;
+        let normalized = accessor.normalized.unwrap_or(false);
+        let scale = if normalized { component.largest() } else { 1.0 };
+        let count = self.need(accessor.count, &at.path(), "count")?.0;
         let mut elements = match accessor.buffer_view {
             Some(view) => {
-                let array = self.array(view.value(), start, count, N * component.size(), at)?;
+                let start = accessor.byte_offset.map_or(0, |offset| offset.0);
+                let array = self.array(view, start, count, N * component.size(), at)?;
                 array.iter().map(|bytes| component.read(bytes, scale)).collect()
             }
-            None if accessor.sparse.is_some() && count <= MOST_ZEROS => {
-                vec![[0.0; N]; count as usize]
-            }
+            None if count <= MOST_ZEROS => vec![[0.0; N]; count as usize],
             None => {
-                return Err(self.place_fault(at, "elements in no buffer, expected a bufferView"));
+                let message = format!("{count} zeros in no buffer, expected {MOST_ZEROS} at most");
+                return Err(self.place_fault(at, message));
             }
         };
         if let Some(sparse) = &accessor.sparse {
@@ -51,15 +45,28 @@ impl Document<'_> {
         Ok(elements)
     }
 
+    /// An accessor by its number.
+    pub(super) fn accessor(&self, number: usize, user: &[Step<'_>]) -> Read<&Accessor> {
+        self.root.accessors.get(number).ok_or_else(|| {
+            let count = self.root.accessors.len();
+            let message = format!("accessor {number} does not exist, expected less than {count}");
+            self.fault(user, message)
+        })
+    }
+
     fn component<const N: usize>(&self, accessor: &Accessor, number: usize) -> Read<Component> {
-        let wanted = if N == 1 { Type::Scalar } else { Type::Vec3 };
-        if accessor.type_ != Checked::Valid(wanted) {
-            let name = if N == 1 { "SCALAR" } else { "VEC3" };
+        let wanted = match N {
+            1 => "SCALAR",
+            3 => "VEC3",
+            _ => "VEC4",
+        };
+        if accessor.kind.text() != Some(wanted) {
             let path = [Step::Key("accessors"), Step::Item(number), Step::Key("type")];
-            return Err(self.fault(&path, format!("an accessor of another type, expected {name}")));
+            let message = format!("an accessor of another type, expected {wanted}");
+            return Err(self.fault(&path, message));
         }
-        match accessor.component_type {
-            Checked::Valid(kind) if N != 1 || is_index(kind.0) => Ok(Component(kind.0)),
+        match Component::of(accessor.component_type) {
+            Some(kind) if N != 1 || kind.is_index() => Ok(kind),
             _ => {
                 let path = [Step::Key("accessors"), Step::Item(number), Step::Key("componentType")];
                 let names = if N == 1 { "5121, 5123 or 5125" } else { "5120 to 5126" };
@@ -72,23 +79,23 @@ impl Document<'_> {
     fn overwrite<const N: usize>(
         &self,
         elements: &mut [[f64; N]],
-        sparse: &sparse::Sparse,
+        sparse: &Sparse,
         component: Component,
         scale: f64,
         accessor: usize,
     ) -> Read<()> {
-        let (indices, values) = (&sparse.indices, &sparse.values);
         let at = Place { accessor, part: Some("indices") };
-        let Checked::Valid(kind) = indices.component_type else {
-            return Err(self.place_fault(at, "an unknown component type, expected 5121 to 5125"));
+        let Some(kind) =
+            Component::of(sparse.indices.component_type).filter(|kind| kind.is_index())
+        else {
+            let message = "an unknown component type, expected 5121, 5123 or 5125";
+            return Err(self.place_fault(at, message));
         };
-        let kind = Component(kind.0);
-        let (view, start) = (indices.buffer_view.value(), indices.byte_offset.0);
-        let targets = self.array(view, start, sparse.count.0, kind.size(), at)?;
+        let path = [Step::Key("accessors"), Step::Item(accessor), Step::Key("sparse")];
+        let count = self.need(sparse.count, &path, "count")?.0;
+        let targets = self.part(&sparse.indices, count, kind.size(), at)?;
         let at_values = Place { accessor, part: Some("values") };
-        let (view, start) = (values.buffer_view.value(), values.byte_offset.0);
-        let size = N * component.size();
-        let sources = self.array(view, start, sparse.count.0, size, at_values)?;
+        let sources = self.part(&sparse.values, count, N * component.size(), at_values)?;
         let count = elements.len();
         for (target, source) in targets.iter().zip(sources.iter()) {
             let [target] = kind.read::<1>(target, 1.0);
@@ -101,21 +108,28 @@ impl Document<'_> {
         Ok(())
     }
 
+    /// One of both arrays of a sparse accessor.
+    fn part(&self, part: &SparsePart, count: u64, size: usize, at: Place) -> Read<Array<'_>> {
+        let view = self.need(part.buffer_view, &at.path(), "bufferView")?;
+        self.array(view, part.byte_offset.map_or(0, |offset| offset.0), count, size, at)
+    }
+
     /// `count` elements of `size` bytes in a view, from byte `start` on.
     fn array(
         &self,
-        view: usize,
+        view: Natural,
         start: u64,
         count: u64,
         size: usize,
         at: Place,
     ) -> Read<Array<'_>> {
+        let view = view.index();
         let Some(found) = self.root.buffer_views.get(view) else {
             let views = self.root.buffer_views.len();
             let message = format!("buffer view {view} does not exist, expected under {views}");
             return Err(self.place_fault(at, message));
         };
-        let stride = found.byte_stride.map_or(0, |stride| stride.0);
+        let stride = found.byte_stride.map_or(0, Natural::index);
         if stride != 0 && (stride < size || 252 < stride) {
             let path = [Step::Key("bufferViews"), Step::Item(view), Step::Key("byteStride")];
             let message = format!("a stride of {stride} bytes, expected {size} to 252");
@@ -145,11 +159,7 @@ impl Document<'_> {
     }
 
     fn place_fault(&self, at: Place, message: impl Into<String>) -> Fault {
-        let mut path = vec![Step::Key("accessors"), Step::Item(at.accessor)];
-        if let Some(part) = at.part {
-            path.extend([Step::Key("sparse"), Step::Key(part)]);
-        }
-        self.fault(&path, message)
+        self.fault(&at.path(), message)
     }
 }
 
@@ -158,6 +168,16 @@ impl Document<'_> {
 struct Place {
     accessor: usize,
     part: Option<&'static str>,
+}
+
+impl Place {
+    fn path(self) -> Vec<Step<'static>> {
+        let mut path = vec![Step::Key("accessors"), Step::Item(self.accessor)];
+        if let Some(part) = self.part {
+            path.extend([Step::Key("sparse"), Step::Key(part)]);
+        }
+        path
+    }
 }
 
 /// Elements of a known size, all of them within `bytes`.
@@ -173,26 +193,51 @@ impl<'a> Array<'a> {
     }
 }
 
-fn is_index(kind: ComponentType) -> bool {
-    matches!(kind, ComponentType::U8 | ComponentType::U16 | ComponentType::U32)
+/// How a number is stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Component {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
 }
 
-#[derive(Clone, Copy)]
-struct Component(ComponentType);
-
 impl Component {
+    /// The component of a number of OpenGL.
+    fn of(number: Option<Natural>) -> Option<Self> {
+        Some(match number?.0 {
+            5120 => Component::I8,
+            5121 => Component::U8,
+            5122 => Component::I16,
+            5123 => Component::U16,
+            5125 => Component::U32,
+            5126 => Component::F32,
+            _ => return None,
+        })
+    }
+
+    fn is_index(self) -> bool {
+        matches!(self, Component::U8 | Component::U16 | Component::U32)
+    }
+
     fn size(self) -> usize {
-        self.0.size()
+        match self {
+            Component::I8 | Component::U8 => 1,
+            Component::I16 | Component::U16 => 2,
+            Component::U32 | Component::F32 => 4,
+        }
     }
 
     /// What a normalized component divides by.
     fn largest(self) -> f64 {
-        match self.0 {
-            ComponentType::I8 => f64::from(i8::MAX),
-            ComponentType::U8 => f64::from(u8::MAX),
-            ComponentType::I16 => f64::from(i16::MAX),
-            ComponentType::U16 => f64::from(u16::MAX),
-            ComponentType::U32 | ComponentType::F32 => 1.0,
+        match self {
+            Component::I8 => f64::from(i8::MAX),
+            Component::U8 => f64::from(u8::MAX),
+            Component::I16 => f64::from(i16::MAX),
+            Component::U16 => f64::from(u16::MAX),
+            Component::U32 | Component::F32 => 1.0,
         }
     }
 
@@ -200,17 +245,13 @@ impl Component {
     fn read<const N: usize>(self, bytes: &[u8], scale: f64) -> [f64; N] {
         std::array::from_fn(|lane| {
             let bytes = &bytes[lane * self.size()..];
-            let value = match (self.0, bytes) {
-                (ComponentType::I8, &[a, ..]) => f64::from(a as i8),
-                (ComponentType::U8, &[a, ..]) => f64::from(a),
-                (ComponentType::I16, &[a, b, ..]) => f64::from(i16::from_le_bytes([a, b])),
-                (ComponentType::U16, &[a, b, ..]) => f64::from(u16::from_le_bytes([a, b])),
-                (ComponentType::U32, &[a, b, c, d, ..]) => {
-                    f64::from(u32::from_le_bytes([a, b, c, d]))
-                }
-                (ComponentType::F32, &[a, b, c, d, ..]) => {
-                    f64::from(f32::from_le_bytes([a, b, c, d]))
-                }
+            let value = match (self, bytes) {
+                (Component::I8, &[a, ..]) => f64::from(a as i8),
+                (Component::U8, &[a, ..]) => f64::from(a),
+                (Component::I16, &[a, b, ..]) => f64::from(i16::from_le_bytes([a, b])),
+                (Component::U16, &[a, b, ..]) => f64::from(u16::from_le_bytes([a, b])),
+                (Component::U32, &[a, b, c, d, ..]) => f64::from(u32::from_le_bytes([a, b, c, d])),
+                (Component::F32, &[a, b, c, d, ..]) => f64::from(f32::from_le_bytes([a, b, c, d])),
                 _ => f64::NAN,
             };
             // The least signed value maps to -1 as the next one does.

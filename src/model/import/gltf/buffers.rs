@@ -2,11 +2,15 @@
 //! `data:` URI, or in a file beside the document. Nothing is fetched.
 
 use std::borrow::Cow;
-use std::path::Path;
 
-use super::super::error::{Read, quote};
+use super::super::error::Read;
 use super::super::json_places::Step;
 use super::container::Document;
+use super::document::{Buffer, BufferView, Natural};
+use super::files::{Refusal, decode_percents};
+
+/// Bytes that a buffer may lack: those that round its length up.
+const PADDING: u64 = 3;
 
 impl<'a> Document<'a> {
     /// The bytes of a buffer view.
@@ -14,20 +18,41 @@ impl<'a> Document<'a> {
         let path = [Step::Key("bufferViews"), Step::Item(number)];
         // The callers have looked the view up.
         let view = &self.root.buffer_views[number];
-        let buffer = self.buffer(number, view.buffer.value())?;
-        let start = view.byte_offset.unwrap_or_default().0;
-        let bytes = usize::try_from(start).ok().and_then(|start| buffer.get(start..));
-        let length = usize::try_from(view.byte_length.0).ok();
-        match bytes.zip(length).and_then(|(bytes, length)| bytes.get(..length)) {
+        let buffer = self.need(view.buffer, &path, "buffer")?;
+        let length = self.need(view.byte_length, &path, "byteLength")?.0;
+        self.check_compression(number, buffer.index())?;
+        let buffer = self.buffer(number, buffer.index())?;
+        let start = view.byte_offset.map_or(0, |offset| offset.0);
+        let end = start.checked_add(length);
+        let range = usize::try_from(start).ok().zip(end.and_then(|end| usize::try_from(end).ok()));
+        match range.and_then(|(start, end)| buffer.get(start..end)) {
             Some(bytes) => Ok(bytes),
             None => {
-                let (length, size) = (view.byte_length.0, buffer.len());
+                let size = buffer.len();
                 let message = format!(
                     "{length} bytes from byte {start} on, expected at most the buffer's {size}"
                 );
                 Err(self.fault(&path, message))
             }
         }
+    }
+
+    /// A compressed view can only be read if its buffer holds its bytes as they
+    /// are too.
+    fn check_compression(&self, view: usize, buffer: usize) -> Read<()> {
+        let Some(name) = self.root.buffer_views[view].extensions.compression() else {
+            return Ok(());
+        };
+        let holds_bytes = |found: &Buffer| {
+            let is_in_glb = buffer == 0 && self.binary.is_some();
+            !found.extensions.is_fallback() && (found.uri.is_some() || is_in_glb)
+        };
+        if self.root.buffers.get(buffer).is_some_and(holds_bytes) {
+            return Ok(());
+        }
+        let path = [Step::Key("bufferViews"), Step::Item(view)];
+        let message = format!("the mesh is compressed by {name}, expected one that is not");
+        Err(self.fault(&path, message))
     }
 
     fn buffer(&self, view: usize, number: usize) -> Read<&[u8]> {
@@ -40,17 +65,28 @@ impl<'a> Document<'a> {
         if let Some(bytes) = cell.get() {
             return Ok(bytes);
         }
-        let bytes = self.load(number)?;
-        let expected = self.root.buffers[number].byte_length.0;
-        if (bytes.len() as u64) < expected {
-            let path = [Step::Key("buffers"), Step::Item(number), Step::Key("byteLength")];
-            let message = format!("a buffer of {} bytes, expected {expected}", bytes.len());
+        let path = [Step::Key("buffers"), Step::Item(number)];
+        let length = self.need(self.root.buffers[number].byte_length, &path, "byteLength")?.0;
+        let bytes = self.load(number, length)?;
+        if (bytes.len() as u64).saturating_add(PADDING) < length {
+            let path = [path[0], path[1], Step::Key("byteLength")];
+            let message = format!("a buffer of {} bytes, expected {length}", bytes.len());
             return Err(self.fault(&path, message));
         }
         Ok(cell.get_or_init(|| bytes))
     }
 
-    fn load(&self, number: usize) -> Read<Cow<'a, [u8]>> {
+    /// Where the last view of a buffer ends.
+    fn end_of_views(&self, buffer: usize) -> u64 {
+        let views = self.root.buffer_views.iter();
+        let views = views.filter(|view| view.buffer.is_some_and(|own| own.index() == buffer));
+        let number = |number: Option<Natural>| number.map_or(0, |number| number.0);
+        let end =
+            |view: &BufferView| number(view.byte_offset).saturating_add(number(view.byte_length));
+        views.map(end).max().unwrap_or(0)
+    }
+
+    fn load(&self, number: usize, length: u64) -> Read<Cow<'a, [u8]>> {
         let path = [Step::Key("buffers"), Step::Item(number), Step::Key("uri")];
         let fault = |message: String| self.fault(&path, message);
         let Some(uri) = &self.root.buffers[number].uri else {
@@ -62,47 +98,26 @@ impl<'a> Document<'a> {
             };
         };
         if let Some(data) = uri.strip_prefix("data:") {
-            let encoded = data.split_once(',').filter(|(kind, _)| kind.ends_with(";base64"));
-            let decoded = encoded.and_then(|(_, text)| decode_base64(text.as_bytes()));
+            self.hold(data.len() as u64);
+            let decoded = data.split_once(',').and_then(|(kind, text)| {
+                let is_base64 = kind.ends_with(";base64");
+                if is_base64 { decode_base64(text.as_bytes()) } else { decode_percents(text) }
+            });
             return decoded
                 .map(Cow::Owned)
                 .ok_or_else(|| fault("a data uri that cannot be decoded, expected base64".into()));
         }
-        let shown = quote(uri.as_bytes());
-        let relative = decode_percents(uri).filter(|path| Path::new(path).is_relative());
-        let Some(relative) = relative.filter(|path| !path.contains([':', '\0'])) else {
-            return Err(fault(format!("the uri {shown} is not read, expected a relative path")));
-        };
-        let Some(folder) = self.folder else {
-            return Err(fault(format!("the file {shown} is elsewhere, expected all in one file")));
-        };
-        let file = folder.join(relative);
-        // A device could be read without end.
-        if !file.is_file() {
-            return Err(fault(format!("the file {shown} does not exist, expected a buffer")));
+        // Some write a length that is too short; nothing is asked for beyond this.
+        let most = self.end_of_views(number).max(length);
+        match self.surroundings.read(uri, most, self.run) {
+            Ok(bytes) => {
+                self.held(bytes.capacity() as u64);
+                Ok(Cow::Owned(bytes))
+            }
+            Err(Refusal::Outside(message)) => Err(fault(message).of_outside()),
+            Err(Refusal::Unreadable(message)) => Err(fault(message)),
         }
-        let content = std::fs::read(&file);
-        content.map(Cow::Owned).map_err(|error| {
-            fault(format!("the file {shown} cannot be read ({error}), expected a buffer"))
-        })
     }
-}
-
-/// `%20` and the like replaced; `None` if the result is no text.
-fn decode_percents(uri: &str) -> Option<String> {
-    let mut decoded = Vec::with_capacity(uri.len());
-    let mut rest = uri.as_bytes();
-    while let [first, after @ ..] = rest {
-        rest = after;
-        if *first != b'%' {
-            decoded.push(*first);
-            continue;
-        }
-        let digits = std::str::from_utf8(rest.get(..2)?).ok()?;
-        decoded.push(u8::from_str_radix(digits, 16).ok()?);
-        rest = &rest[2..];
-    }
-    String::from_utf8(decoded).ok()
 }
 
 /// RFC 4648, section 4; padding may be missing.
@@ -147,12 +162,5 @@ mod tests {
         assert_eq!(decode_base64(b"Zm9v/+8=").as_deref(), Some(&b"foo\xff\xef"[..]));
         assert_eq!(decode_base64(b"Z"), None);
         assert_eq!(decode_base64(b"Zm9\n"), None);
-    }
-
-    #[test]
-    fn percents_become_bytes() {
-        assert_eq!(decode_percents("a%20b").as_deref(), Some("a b"));
-        assert_eq!(decode_percents("a%2"), None);
-        assert_eq!(decode_percents("%ff"), None);
     }
 }

@@ -1,36 +1,59 @@
 //! The object that a node with a mesh makes, in the mesh's own coordinates.
 
-use ::gltf::Semantic;
-use ::gltf::json::mesh::{Mode, Primitive};
-use ::gltf::json::validation::Checked;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
 use super::super::super::{Faces, Soup};
 use super::super::error::Read;
 use super::super::json_places::Step;
+use super::budget::Budget;
 use super::container::Document;
+use super::document::{Attributes, Natural, Node, Primitive};
+use super::extensions::tell;
 
-/// All primitives of the node's mesh as one object. Primitives that use the
-/// same positions share their vertices.
+/// How a primitive's corners are connected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    Points,
+    Lines,
+    LineLoop,
+    LineStrip,
+    Triangles,
+    TriangleStrip,
+    TriangleFan,
+}
+
+impl Mode {
+    /// The mode of a number of OpenGL: triangles, if none is given.
+    fn of(number: Option<Natural>) -> Option<Self> {
+        Some(match number.map_or(4, |number| number.0) {
+            0 => Mode::Points,
+            1 => Mode::Lines,
+            2 => Mode::LineLoop,
+            3 => Mode::LineStrip,
+            4 => Mode::Triangles,
+            5 => Mode::TriangleStrip,
+            6 => Mode::TriangleFan,
+            _ => return None,
+        })
+    }
+}
+
+/// All primitives of a node's mesh as one object without a name. Primitives
+/// that use the same positions share their vertices.
 pub(super) fn object(
     document: &Document<'_>,
-    node_number: usize,
-    budget: &mut usize,
+    node: &Node,
+    mesh: usize,
+    budget: &mut Budget<'_>,
     warnings: &mut Vec<String>,
 ) -> Read<Soup> {
-    let node = &document.root.nodes[node_number];
-    let number = node.mesh.map_or(0, |mesh| mesh.value());
-    let Some(mesh) = document.root.meshes.get(number) else {
-        let path = [Step::Key("nodes"), Step::Item(node_number), Step::Key("mesh")];
-        let count = document.root.meshes.len();
-        let message = format!("mesh {number} does not exist, expected less than {count}");
-        return Err(document.fault(&path, message));
-    };
-    let name = node.name.as_ref().or(mesh.name.as_ref()).cloned().unwrap_or_default();
+    // The caller has looked the mesh up.
+    let found = &document.root.meshes[mesh];
     let mut builder = Builder {
         document,
-        mesh: number,
+        mesh,
+        weights: node.weights.as_deref().unwrap_or(&found.weights),
         budget,
         warnings,
         bases: FxHashMap::default(),
@@ -41,32 +64,38 @@ pub(super) fn object(
     if node.skin.is_some() {
         builder.warn("skins are ignored: the mesh stands in its rest position");
     }
-    for (item, primitive) in mesh.primitives.iter().enumerate() {
+    for (item, primitive) in found.primitives.iter().enumerate() {
         builder.primitive(item, primitive)?;
     }
     let Builder { vertices, triangles, lines, .. } = builder;
     let faces = Faces::from_triangles(triangles);
-    Ok(Soup { name, vertices, faces, lines, ..Soup::default() })
+    Ok(Soup { vertices, faces, lines, ..Soup::default() })
 }
 
-struct Builder<'a, 'b> {
-    document: &'a Document<'b>,
+/// Accessors that give the same vertices: one of positions, and those of the
+/// morph targets that move them, each with its place among the targets.
+type Shape = (usize, Vec<(usize, usize)>);
+
+struct Builder<'a, 'd, 'r> {
+    document: &'a Document<'d>,
     mesh: usize,
-    budget: &'a mut usize,
+    /// How far each morph target is put into effect.
+    weights: &'a [f32],
+    budget: &'a mut Budget<'r>,
     warnings: &'a mut Vec<String>,
-    /// First vertex and number of vertices for each accessor of positions.
-    bases: FxHashMap<usize, (u32, u32)>,
+    /// First vertex and number of vertices for each shape.
+    bases: FxHashMap<Shape, (u32, u32)>,
     vertices: Vec<DVec3>,
     triangles: Vec<u32>,
     lines: Vec<[u32; 2]>,
 }
 
-impl Builder<'_, '_> {
+impl Builder<'_, '_, '_> {
     fn primitive(&mut self, item: usize, primitive: &Primitive) -> Read<()> {
         let path =
             [Step::Key("meshes"), Step::Item(self.mesh), Step::Key("primitives"), Step::Item(item)];
         self.spend(1, &path)?;
-        let Checked::Valid(mode) = primitive.mode else {
+        let Some(mode) = Mode::of(primitive.mode) else {
             let path = [&path[..], &[Step::Key("mode")]].concat();
             return Err(self.document.fault(&path, "an unknown mode, expected 0 to 6"));
         };
@@ -74,13 +103,14 @@ impl Builder<'_, '_> {
             self.warn("points are ignored");
             return Ok(());
         }
-        let Some(positions) = primitive.attributes.get(&Checked::Valid(Semantic::Positions)) else {
+        let Some(positions) = primitive.attributes.position else {
             self.warn("primitives without positions are ignored");
             return Ok(());
         };
-        let (base, count) = self.positions(positions.value(), &path)?;
+        self.check_compression(primitive, positions.index(), &path)?;
+        let (base, count) = self.positions(positions.index(), &primitive.targets, &path)?;
         let corners = match primitive.indices {
-            Some(indices) => self.indices(indices.value(), base, count, &path)?,
+            Some(indices) => self.indices(indices.index(), base, count, &path)?,
             None => {
                 self.spend(u64::from(count), &path)?;
                 (base..base + count).collect()
@@ -89,14 +119,51 @@ impl Builder<'_, '_> {
         self.connect(mode, &corners, &path)
     }
 
-    /// First vertex and number of the vertices of an accessor.
-    fn positions(&mut self, accessor: usize, path: &[Step<'_>; 4]) -> Read<(u32, u32)> {
-        if let Some(&range) = self.bases.get(&accessor) {
+    /// A compressed primitive can only be read if its accessors have bytes of
+    /// their own too.
+    fn check_compression(
+        &self,
+        primitive: &Primitive,
+        positions: usize,
+        path: &[Step<'_>; 4],
+    ) -> Read<()> {
+        if primitive.extensions.draco.is_none() {
+            return Ok(());
+        }
+        for number in [Some(positions), primitive.indices.map(Natural::index)].into_iter().flatten()
+        {
+            let accessor = self.document.accessor(number, path)?;
+            if accessor.buffer_view.is_none() {
+                let name = "KHR_draco_mesh_compression";
+                let path = [&path[..], &[Step::Key("extensions"), Step::Key(name)]].concat();
+                let message = format!("the mesh is compressed by {name}, expected one that is not");
+                return Err(self.document.fault(&path, message));
+            }
+        }
+        Ok(())
+    }
+
+    /// First vertex and number of the vertices of an accessor, moved by the
+    /// morph targets that have a weight.
+    fn positions(
+        &mut self,
+        accessor: usize,
+        targets: &[Attributes],
+        path: &[Step<'_>; 4],
+    ) -> Read<(u32, u32)> {
+        let moving = targets.iter().zip(self.weights).enumerate().filter_map(|(item, (to, &w))| {
+            to.position.filter(|_| w != 0.0).map(|position| (item, position.index()))
+        });
+        let shape: Shape = (accessor, moving.collect());
+        if let Some(&range) = self.bases.get(&shape) {
             return Ok(range);
         }
         let user = [&path[..], &[Step::Key("attributes"), Step::Key("POSITION")]].concat();
-        let positions = self.document.elements::<3>(accessor, &user)?;
+        let mut positions = self.document.elements::<3>(accessor, &user)?;
         self.spend(positions.len() as u64, path)?;
+        for &(item, target) in &shape.1 {
+            self.morph(&mut positions, item, target, path)?;
+        }
         if let Some(wrong) = positions.iter().position(|p| !p.iter().all(|x| x.is_finite())) {
             let path = [Step::Key("accessors"), Step::Item(accessor)];
             let message = format!("position {wrong} is not finite, expected finite numbers");
@@ -105,8 +172,35 @@ impl Builder<'_, '_> {
         // The budget keeps both numbers far below 32 bits.
         let range = (self.vertices.len() as u32, positions.len() as u32);
         self.vertices.extend(positions.into_iter().map(DVec3::from_array));
-        self.bases.insert(accessor, range);
+        self.bases.insert(shape, range);
         Ok(range)
+    }
+
+    /// Moves positions as one morph target says, by its weight. Products are
+    /// exact; sums are rounded, one after the other.
+    fn morph(
+        &mut self,
+        positions: &mut [[f64; 3]],
+        item: usize,
+        target: usize,
+        path: &[Step<'_>; 4],
+    ) -> Read<()> {
+        let steps = [Step::Key("targets"), Step::Item(item), Step::Key("POSITION")];
+        let user = [&path[..], &steps].concat();
+        let moves = self.document.elements::<3>(target, &user)?;
+        self.spend(moves.len() as u64, path)?;
+        if moves.len() != positions.len() {
+            let (found, expected) = (moves.len(), positions.len());
+            let message = format!("a morph target of {found} positions, expected {expected}");
+            return Err(self.document.fault(&user, message));
+        }
+        let weight = f64::from(self.weights[item]);
+        for (position, by) in positions.iter_mut().zip(moves) {
+            for (x, by) in position.iter_mut().zip(by) {
+                *x += weight * by;
+            }
+        }
+        Ok(())
     }
 
     fn indices(
@@ -173,22 +267,10 @@ impl Builder<'_, '_> {
     }
 
     fn spend(&mut self, cost: u64, path: &[Step<'_>; 4]) -> Read<()> {
-        match usize::try_from(cost).ok().and_then(|cost| self.budget.checked_sub(cost)) {
-            Some(left) => {
-                *self.budget = left;
-                Ok(())
-            }
-            None => {
-                let most = super::MOST;
-                let message = format!("too many vertices and corners, expected {most} in all");
-                Err(self.document.fault(path, message))
-            }
-        }
+        self.budget.spend(cost).map_err(|message| self.document.fault(path, message))
     }
 
     fn warn(&mut self, warning: &str) {
-        if !self.warnings.iter().any(|known| known == warning) {
-            self.warnings.push(warning.to_owned());
-        }
+        tell(self.warnings, warning.to_owned());
     }
 }

@@ -8,6 +8,7 @@
 
 use super::super::error::{Fault, Read, quote};
 use super::super::text::Text;
+use super::ImportedHeights;
 use crate::model::surface::Heights;
 
 /// Keys of the header.
@@ -72,7 +73,7 @@ impl Header {
 }
 
 /// Reads a grid.
-pub(super) fn read(bytes: &[u8]) -> Read<Heights> {
+pub(super) fn read(bytes: &[u8]) -> Read<ImportedHeights> {
     let mut text = Text::new(bytes);
     let header = header(&mut text)?;
     let (columns, rows) = (header.count(&text, 0)?, header.count(&text, 1)?);
@@ -100,7 +101,8 @@ pub(super) fn read(bytes: &[u8]) -> Read<Heights> {
     }
     let xs = (0..columns).map(|i| west + i as f64 * dx).collect();
     let zs = (0..rows).map(|j| -(south + (rows - 1 - j) as f64 * dz)).collect();
-    Heights::new(xs, zs, values).map_err(|error| Fault::file(error.to_string()))
+    let heights = Heights::new(xs, zs, values).map_err(|error| Fault::file(error.to_string()))?;
+    Ok(ImportedHeights { heights, warnings: Vec::new(), has_places: true })
 }
 
 /// The keys and their values, up to the first word that is a number.
@@ -143,7 +145,7 @@ mod tests {
     fn north_is_far_and_heights_lie_in_the_middle_of_cells() {
         let grid = b"NCOLS 3\nNROWS 2\nXLLCORNER 100\nYLLCENTER 7\nCELLSIZE 2\nNODATA_VALUE -1\n\
             1 2 3\n4 -1\n6\n";
-        let heights = read(grid).unwrap();
+        let heights = read(grid).unwrap().heights;
         assert_eq!(heights.xs(), [101.0, 103.0, 105.0]);
         assert_eq!(heights.zs(), [-9.0, -7.0]);
         assert_eq!(heights.values()[..4], [1.0, 2.0, 3.0, 4.0]);

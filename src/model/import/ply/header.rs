@@ -1,7 +1,12 @@
 //! The header of a PLY file: lines of text up to `end_header`.
+//!
+//! Programs leave remarks there without the word `comment` before them: lines
+//! that begin with no keyword are passed over and told, unless they have the
+//! form of a declaration whose keyword is misspelt.
 
+use super::super::super::Precision;
 use super::super::error::{Fault, Read, quote};
-use super::super::text::Text;
+use super::super::text::{Text, integer};
 
 /// How the rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,6 +21,7 @@ pub(super) struct Header<'a> {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element<'a>>,
     pub(super) vertex_count: u64,
+    pub(super) warnings: Vec<String>,
     /// The cursor behind `end_header`, at the first row.
     pub(super) payload: Text<'a>,
 }
@@ -63,7 +69,7 @@ impl Role {
             (b"vertex", b"x") => Role::X,
             (b"vertex", b"y") => Role::Y,
             (b"vertex", b"z") => Role::Z,
-            (b"face", b"vertex_indices" | b"vertex_index") => Role::Corners,
+            (b"face" | b"tristrips", b"vertex_indices" | b"vertex_index") => Role::Corners,
             (b"face", b"red") => Role::Red,
             (b"face", b"green") => Role::Green,
             (b"face", b"blue") => Role::Blue,
@@ -118,6 +124,8 @@ pub(super) fn read(bytes: &[u8]) -> Read<Header<'_>> {
     if text.word() != Some(b"ply") || text.has_word() {
         return Err(text.fault("the first line is not 'ply', expected a PLY file"));
     }
+    let ends_in_cr = text.line_ends_in_cr();
+    let mut warnings = Vec::new();
     let mut encoding = None;
     let mut elements: Vec<Element<'_>> = Vec::new();
     loop {
@@ -140,9 +148,13 @@ pub(super) fn read(bytes: &[u8]) -> Read<Header<'_>> {
                 None => return Err(text.fault("a property of nothing, expected an element")),
             },
             b"end_header" => break,
-            word => {
+            word if resembles_a_declaration(word, text.clone()) => {
                 let message = format!("{} stands here, expected a header line", quote(word));
                 return Err(text.fault(message));
+            }
+            word => {
+                remark(&mut warnings, word, text.line());
+                continue;
             }
         }
         if let Some(word) = text.word() {
@@ -160,8 +172,65 @@ pub(super) fn read(bytes: &[u8]) -> Read<Header<'_>> {
         return Err(text.fault("the header ends without vertices, expected an element vertex"));
     };
     let vertex_count = vertices.count;
-    text.next_line();
-    Ok(Header { encoding, elements, vertex_count, payload: text })
+    match encoding {
+        // A byte of data may look like the second byte of a line's end.
+        Encoding::LittleEndian | Encoding::BigEndian if ends_in_cr => text.pass_cr(),
+        _ => drop(text.next_line()),
+    }
+    Ok(Header { encoding, elements, vertex_count, warnings, payload: text })
+}
+
+/// Whether a line may be a declaration whose keyword is misspelt: data would be
+/// read askew without it. `rest` stands behind the keyword.
+fn resembles_a_declaration(keyword: &[u8], mut rest: Text<'_>) -> bool {
+    const TYPING_ERRORS: usize = 2;
+    let words: Vec<_> = std::iter::from_fn(|| rest.word()).take(5).collect();
+    let meant = match words[..] {
+        [_, count] if integer(count).is_some() => &b"element"[..],
+        [kind, _] if Kind::of(kind).is_some() => b"property",
+        [b"list", count, item, _] if Kind::of(count).is_some() && Kind::of(item).is_some() => {
+            b"property"
+        }
+        _ => return false,
+    };
+    edit_distance(keyword, meant) <= TYPING_ERRORS
+}
+
+/// How many letters have to be put in, left out or replaced to make one word of
+/// another (Wagner and Fischer, 1974).
+fn edit_distance(one: &[u8], other: &[u8]) -> usize {
+    let mut row: Vec<usize> = (0..=other.len()).collect();
+    for (i, a) in one.iter().enumerate() {
+        let mut before = std::mem::replace(&mut row[0], i + 1);
+        for (j, b) in other.iter().enumerate() {
+            let replaced = before + usize::from(a != b);
+            before = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(before + 1);
+        }
+    }
+    row[other.len()]
+}
+
+/// Tells of a line that is no header line.
+fn remark(warnings: &mut Vec<String>, word: &[u8], line: u64) {
+    const MOST: usize = 20;
+    if warnings.len() < MOST {
+        let word = quote(word);
+        warnings.push(format!("the header line {word} is ignored (line {line})"));
+    }
+}
+
+/// How positions are rounded by the types that the header gives them.
+pub(super) fn precision(encoding: Encoding, elements: &[Element<'_>]) -> Precision {
+    let is_coordinate = |role| matches!(role, Role::X | Role::Y | Role::Z);
+    let mut properties = elements.iter().flat_map(|element| &element.properties);
+    let is_narrow =
+        properties.any(|property| is_coordinate(property.role) && property.kind == Kind::F32);
+    match encoding {
+        // Text has the decimals that it has.
+        Encoding::LittleEndian | Encoding::BigEndian if is_narrow => Precision::Float32,
+        _ => Precision::AsWritten,
+    }
 }
 
 fn format(text: &mut Text<'_>) -> Read<Encoding> {
@@ -234,7 +303,7 @@ fn check(element: &mut Element<'_>) -> Read<()> {
     let has = |role| element.properties.iter().any(|property| property.role == role);
     let needed: &[(Role, &str)] = match element.name {
         b"vertex" => &[(Role::X, "x"), (Role::Y, "y"), (Role::Z, "z")],
-        b"face" => &[(Role::Corners, "vertex_indices")],
+        b"face" | b"tristrips" => &[(Role::Corners, "vertex_indices")],
         b"edge" => &[(Role::Start, "vertex1"), (Role::End, "vertex2")],
         _ => &[],
     };
@@ -245,4 +314,37 @@ fn check(element: &mut Element<'_>) -> Read<()> {
     }
     element.has_color = [Role::Red, Role::Green, Role::Blue].into_iter().all(has);
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn typing_errors_are_told_from_remarks() {
+        let resembles = |line: &[u8]| {
+            let mut text = Text::new(line);
+            let keyword = text.word().unwrap();
+            resembles_a_declaration(keyword, text)
+        };
+        for line in [
+            &b"elment face 2"[..],
+            b"Element face 2",
+            b"proprety float x",
+            b"propertie list uchar int vertex_indices",
+        ] {
+            assert!(resembles(line), "{}", line.escape_ascii());
+        }
+        for line in [
+            &b"author someone, 2019"[..],
+            b"saved double precision",
+            b"elment",
+            b"properties of float x",
+            b"Created by a program",
+        ] {
+            assert!(!resembles(line), "{}", line.escape_ascii());
+        }
+        assert_eq!(edit_distance(b"kitten", b"sitting"), 3);
+        assert_eq!(edit_distance(b"", b"ab"), 2);
+    }
 }

@@ -2,19 +2,23 @@
 
 use super::super::error::{Fault, Read, quote};
 use super::super::text::Text;
+use super::super::text_row::Row;
 use super::header::{Element, Encoding, Kind};
+use super::strips::RESTART;
 
 /// A position among the rows.
 pub(super) struct Rows<'a> {
     encoding: Encoding,
-    /// The cursor of the text encoding.
+    /// The cursor of the text encoding, and the row at hand there.
     text: Text<'a>,
+    row: Row,
+    /// The first line with words behind the declared values.
+    surplus: Option<String>,
     /// The whole file, and the cursor of the binary encodings.
     bytes: &'a [u8],
     at: usize,
-    /// Where the value last read and the row at hand begin.
+    /// Where the value last read begins.
     value_start: usize,
-    row_start: usize,
     /// The row at hand, for messages.
     name: &'a [u8],
     number: u64,
@@ -28,10 +32,11 @@ impl<'a> Rows<'a> {
         Rows {
             encoding,
             text: payload,
+            row: Row::default(),
+            surplus: None,
             bytes,
             at,
             value_start: at,
-            row_start: at,
             name: b"",
             number: 0,
             row_count: 0,
@@ -41,7 +46,6 @@ impl<'a> Rows<'a> {
     /// Begins the next row: in text, the next line that is not empty.
     pub(super) fn begin(&mut self, element: &Element<'a>, number: u64) -> Read<()> {
         (self.name, self.number, self.row_count) = (element.name, number, element.count);
-        self.row_start = self.at;
         if self.encoding == Encoding::Text && !self.text.has_word() && !self.text.next_full_line() {
             return Err(self.text.fault(self.ending()));
         }
@@ -58,42 +62,49 @@ impl<'a> Rows<'a> {
         if self.encoding != Encoding::Text {
             return Ok(());
         }
-        if let Some(word) = self.text.word() {
-            let message = format!("{} stands here, expected the end of the line", quote(word));
-            return Err(self.text.fault(message));
+        self.row.end(&self.text)?;
+        if let Some(word) = self.text.word()
+            && self.surplus.is_none()
+        {
+            let (name, word, line) = (quote(self.name), quote(word), self.text.line());
+            self.surplus = Some(format!(
+                "values after those declared for {name} are ignored ({word} in line {line})"
+            ));
         }
         self.text.next_line();
         Ok(())
     }
 
-    /// Nothing but white space may follow the last row.
-    pub(super) fn finish(&mut self) -> Read<()> {
+    /// Whether more stands in the line than was declared.
+    pub(super) fn has_more(&self) -> bool {
+        self.encoding == Encoding::Text && self.text.has_word()
+    }
+
+    /// A problem of the row at hand, which is in text.
+    pub(super) fn fault_of_row(&self, message: String) -> Fault {
+        self.text.fault(message)
+    }
+
+    /// What was passed over; nothing but white space should follow the last row.
+    pub(super) fn finish(mut self) -> Vec<String> {
+        let mut warnings: Vec<String> = self.surplus.take().into_iter().collect();
         if self.encoding == Encoding::Text {
             if self.text.has_word() || self.text.next_full_line() {
-                let message = "a line follows the last element, expected the end of the file";
-                return Err(self.text.fault(message));
+                let line = self.text.line();
+                warnings.push(format!("what follows the last element is ignored (line {line})"));
             }
         } else if !self.bytes[self.at..].trim_ascii().is_empty() {
             let surplus = self.bytes.len() - self.at;
-            let message = format!("{surplus} bytes follow the last element, expected the end");
-            return Err(Fault::byte(self.at, message));
+            warnings.push(format!("{surplus} bytes after the last element are ignored"));
         }
-        Ok(())
-    }
-
-    /// A problem of the row at hand.
-    pub(super) fn fault_of_row(&self, message: String) -> Fault {
-        match self.encoding {
-            Encoding::Text => self.text.fault(message),
-            _ => Fault::byte(self.row_start, message),
-        }
+        warnings
     }
 
     /// Any number.
     pub(super) fn value(&mut self, kind: Kind) -> Read<f64> {
         match self.encoding {
             // The decimals as they stand, whatever type they are meant for.
-            Encoding::Text => self.text.number("a number"),
+            Encoding::Text => self.row.number(&mut self.text, "a number"),
             Encoding::LittleEndian => self.binary_value(kind, false),
             Encoding::BigEndian => self.binary_value(kind, true),
         }
@@ -104,10 +115,7 @@ impl<'a> Rows<'a> {
         if self.encoding != Encoding::Text {
             return self.value(kind);
         }
-        match self.text.word() {
-            Some(_) => Ok(0.0),
-            None => Err(self.text.fault("the line ends here, expected another property")),
-        }
+        self.row.word(&mut self.text, "another property").map(|_| 0.0)
     }
 
     /// A coordinate.
@@ -129,13 +137,26 @@ impl<'a> Rows<'a> {
     }
 
     /// The number of a vertex.
+    #[inline]
     pub(super) fn vertex(&mut self, kind: Kind, count: u64) -> Read<u32> {
         let value = self.value(kind)?;
+        self.vertex_of(value, count)
+    }
+
+    fn vertex_of(&mut self, value: f64, count: u64) -> Read<u32> {
         if value.fract() != 0.0 || !(0.0..count as f64).contains(&value) {
             let message = format!("vertex {value} does not exist, expected less than {count}");
             return Err(self.fault(message));
         }
         Ok(value as u32)
+    }
+
+    /// The number of a vertex of a strip, or what begins another strip.
+    pub(super) fn vertex_of_strip(&mut self, kind: Kind, count: u64) -> Read<u32> {
+        let value = self.value(kind)?;
+        // All bits set, in types with a sign and without.
+        let is_restart = value == -1.0 || kind == Kind::U32 && value == f64::from(u32::MAX);
+        if is_restart { Ok(RESTART) } else { self.vertex_of(value, count) }
     }
 
     fn binary_value(&mut self, kind: Kind, big: bool) -> Read<f64> {
@@ -165,9 +186,9 @@ impl<'a> Rows<'a> {
         Ok(found)
     }
 
-    fn fault(&self, message: String) -> Fault {
+    fn fault(&mut self, message: String) -> Fault {
         match self.encoding {
-            Encoding::Text => self.text.fault(message),
+            Encoding::Text => self.row.blame(self.text.fault(message)),
             _ => Fault::byte(self.value_start, message),
         }
     }
