@@ -65,8 +65,19 @@ const PARTS: [(&str, &[&[&str]]); 3] = [
 ];
 
 /// All that readers of files may know of the room around them.
-const SOUPS: [&str; 9] =
-    ["import", "surface", "Color", "Faces", "Placement", "Precision", "Soup", "Unit", "UpAxis"];
+const SOUPS: [&str; 11] = [
+    "import",
+    "surface",
+    "Color",
+    "FacePlace",
+    "FacePlaces",
+    "Faces",
+    "Placement",
+    "Precision",
+    "Soup",
+    "Unit",
+    "UpAxis",
+];
 
 /// The path `path` used in line `line` of the file `file`.
 #[derive(Debug, PartialEq, Eq)]

@@ -295,7 +295,10 @@ impl<'a> Cutter<'a> {
     fn read(&mut self, face: usize) {
         let Source { soups, first_vertex, new_of_old, vertices, .. } = *self.source;
         let first = first_vertex[self.soup];
-        (self.old.clear(), self.new.clear(), self.places.clear(), self.ends.clear());
+        self.old.clear();
+        self.new.clear();
+        self.places.clear();
+        self.ends.clear();
         for ring in soups[self.soup].faces.rings(face) {
             let start = self.new.len();
             for &old in ring {

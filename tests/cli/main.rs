@@ -8,6 +8,7 @@ mod fixture;
 mod heights;
 mod outlines;
 mod pens;
+mod polygons;
 mod reading;
 mod refusals;
 mod restyling;

@@ -44,7 +44,7 @@ fn check(mosaic: &Mosaic, mut chance: Chance, plane: [usize; 2]) -> Result<(), T
     let border = mosaic.border(&cells);
     let walk = mosaic.walk(&border, &mut chance);
     let walk = mosaic.without_some_straight(&walk, &mut chance);
-    let found = cut(mosaic, &[walk.clone()], plane);
+    let found = cut(mosaic, std::slice::from_ref(&walk), plane);
     let found = found.map_err(|error| TestCaseError::fail(format!("{error}: {walk:?}")))?;
     mosaic.judge(&found, &border).map_err(TestCaseError::fail)?;
     let mut other = walk.clone();

@@ -33,7 +33,7 @@ fn place_on_curve([mut x, mut y]: [u32; 2]) -> u32 {
     let mut place = 0;
     for bit in (0..BITS).rev() {
         let [right, up] = [x >> bit & 1, y >> bit & 1];
-        place = place << 2 | (3 * right ^ up);
+        place = place << 2 | ((3 * right) ^ up);
         // Within each quarter the curve is turned, and in one mirrored.
         if up == 0 {
             if right == 1 {
