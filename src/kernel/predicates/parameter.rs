@@ -132,8 +132,12 @@ impl<'p, P: Policy> Predicates<'p, P> {
     pub fn division(&self, carrier: Carrier) -> Division<'p> {
         let points = self.points();
         let ends = match points.spread() {
-            0..=NARROW => Ends::Narrow(carrier.ends.map(|point| End::of(points, point))),
-            0..=WIDER => Ends::Wider(carrier.ends.map(|point| End::of(points, point))),
+            spread if spread <= NARROW => {
+                Ends::Narrow(carrier.ends.map(|point| End::of(points, point)))
+            }
+            spread if spread <= WIDER => {
+                Ends::Wider(carrier.ends.map(|point| End::of(points, point)))
+            }
             _ => Ends::Any,
         };
         Division { points, carrier, ends }

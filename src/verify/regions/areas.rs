@@ -65,8 +65,8 @@ fn image<P: Policy>(
         if turned { near } else { near.reversed() }
     });
     let mut ring = Vec::new();
-    for i in 0..3 {
-        let corner = |line| Corner { point: ImagePoint::Vertex(face[i]), line };
+    for (i, vertex) in face.into_iter().enumerate() {
+        let corner = |line| Corner { point: ImagePoint::Vertex(vertex), line };
         let crossing =
             |lines: [ImageLine; 2]| Corner { point: ImagePoint::Crossing(lines), line: lines[1] };
         match (sign(i), sign(i + 1)) {
