@@ -258,7 +258,10 @@ impl Points {
     /// largest number, and happens less often than 2^20 times.
     pub(super) fn underflow<F: Formula>(&self, formula: &F) -> Option<f64> {
         let bits = formula.bits(self.largest);
-        (bits < FLOAT_BITS - 100).then(|| f64::powi(2.0, bits as i32 + 20 - 1074))
+        // Not below the least normal number: powers there are made by division
+        // by an overflow, and come out as zero.
+        let exponent = (bits as i32 + 20 - 1074).max(-1022);
+        (bits < FLOAT_BITS - 100).then(|| f64::powi(2.0, exponent))
     }
 
     /// The coordinates of a vertex, in units.
