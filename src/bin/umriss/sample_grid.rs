@@ -8,7 +8,10 @@ use umriss::view::LineQuestion;
 pub(crate) fn samples(question: &LineQuestion<'_>, size: [u32; 2]) -> Result<Samples, Failure> {
     let count = question.mesh.vertices().len() as u32;
     Samples::fitting(question.frame, question.coordinates, count, size).ok_or_else(|| {
-        Failure::failed("nothing of the model is in this view: expected an image with an extent")
+        Failure::failed(
+            "no pixels can be laid over this view: expected an image with an extent, and \
+             coordinates below 1e307",
+        )
     })
 }
 

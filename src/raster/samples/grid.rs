@@ -44,7 +44,8 @@ pub struct Samples {
 impl Samples {
     /// A grid of at most `size` x `size` pixels around the images of all
     /// vertices in front of the eye, but no farther out than a right angle
-    /// of view. `None` if there is no vertex to be seen.
+    /// of view. `None` if there is no vertex to be seen, or if the grid would
+    /// reach beyond all floats.
     pub fn around(
         frame: &Frame,
         coordinates: &ViewCoordinates,
@@ -59,7 +60,7 @@ impl Samples {
         let pixel = longer / f64::from(size - 2);
         let pixels = |length: f64| ((length / pixel).ceil() as u32 + 2).min(size);
         let size = [pixels(high.x - low.x), pixels(high.y - low.y)];
-        Some(Self::about(frame, (low + high) * 0.5, pixel, size, depth))
+        Self::about(frame, middle(low, high), pixel, size, depth).within_floats()
     }
 
     /// A grid of exactly `width` x `height` pixels with the same content as
@@ -76,8 +77,19 @@ impl Samples {
         }
         let inner = DVec2::new(f64::from(width - 2), f64::from(height - 2));
         let pixel = ((high - low) / inner).max_element();
-        (pixel > 0.0 && pixel.is_finite())
-            .then(|| Self::about(frame, (low + high) * 0.5, pixel, [width, height], depth))
+        if !(pixel > 0.0 && pixel.is_finite()) {
+            return None;
+        }
+        Self::about(frame, middle(low, high), pixel, [width, height], depth).within_floats()
+    }
+
+    /// The grid, if all of it has finite coordinates.
+    fn within_floats(self) -> Option<Self> {
+        let [right, down] =
+            [self.right * f64::from(self.width), self.down * f64::from(self.height)];
+        // The order of sums does not matter where the largest is finite.
+        let farthest = self.first.abs() + right.abs() + down.abs();
+        (self.corner.is_finite() && self.drift.is_finite() && farthest.is_finite()).then_some(self)
     }
 
     /// A grid around a point of the image, given the side of a pixel. In
@@ -289,6 +301,11 @@ fn extent(frame: &Frame, coordinates: &ViewCoordinates, count: u32) -> Option<(D
         high = high.min(DVec2::ONE);
     }
     (low.x <= high.x && low.y <= high.y).then_some((low, high, deepest))
+}
+
+/// The middle of a box, halved first: sums of large numbers are none.
+fn middle(low: DVec2, high: DVec2) -> DVec2 {
+    low * 0.5 + high * 0.5
 }
 
 #[cfg(test)]
