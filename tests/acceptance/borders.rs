@@ -10,7 +10,7 @@ use super::scenes::{Random, orthographic, polygons, random_card, rounds};
 use glam::{DVec3, IVec3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use umriss::drawing::{Drawing, DrawingOptions, Hidden};
+use umriss::drawing::{Drawing, DrawingOptions, Hidden, Length};
 use umriss::kernel::predicates::Exact;
 use umriss::model::{
     Camera, FeatureOptions, LineClass, LineOrigin, Mesh, StandardView, Topology, import,
@@ -32,9 +32,11 @@ fn lines(name: &str, view: &str, options: &FeatureOptions, hidden: bool) -> Visi
     visible_lines(&mesh, &view, options, hidden, &Run::default()).expect("lines")
 }
 
-/// Millimetres on a sheet as the program draws it without flags.
+/// Millimetres on a sheet as the program draws it without flags, but for lines
+/// beside one another, which are all drawn.
 fn millimetres(lines: &VisibleLines, hidden: Hidden) -> f64 {
-    let options = DrawingOptions { hidden, ..DrawingOptions::default() };
+    let merge = Length::new(0.0).ok();
+    let options = DrawingOptions { hidden, merge, ..DrawingOptions::default() };
     let drawing = Drawing::new(lines, &options).expect("a drawing");
     drawing.layers.iter().map(|layer| layer.strokes.length()).sum()
 }

@@ -109,7 +109,7 @@ fn details_side_by_side_have_the_length_of_the_whole() {
     folder.succeeds("draw wave.obj -o wave.json --edges contour,boundary,crease,mesh");
     let length = |frame: &str| {
         folder.succeeds(&format!(
-            "draw wave.json -o a.svg --paper tight --scale 1:1 --precision 9 {frame}"
+            "draw wave.json -o a.svg --paper tight --scale 1:1 --precision 9 --merge 0 {frame}"
         ));
         fixture::drawn_length(&folder.text("a.svg"))
     };

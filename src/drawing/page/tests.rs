@@ -188,9 +188,14 @@ fn classes_stay_apart_and_tiny_strokes_away_on_request() {
     let apart = DrawingOptions { join: Join::Class, ..default };
     let apart = strokes(apart);
     assert_eq!((apart.len(), apart.get(0).len(), apart.get(1).len()), (2, 4, 2));
-    // On the page the crease is 95 mm long.
+    // On the page the crease is 95 mm long, and a part of the outline.
     let min_length = Length::new(100.0).unwrap();
-    assert_eq!(strokes(DrawingOptions { join: Join::Class, min_length, ..default }).len(), 1);
+    let long = DrawingOptions { join: Join::Class, min_length, ..default };
+    assert_eq!(strokes(long).len(), 2);
+    // Hidden lines apart, it is alone if the others are.
+    view.pieces[1].points = [(10.0, 5.0), (10.0, 15.0)].map(|(x, y)| DVec2::new(x, y));
+    let drawn = Drawing::new(&view, &long).unwrap().layers.remove(0).strokes;
+    assert_eq!((drawn.len(), drawn.get(0).len()), (1, 4));
 }
 
 proptest! {
@@ -208,8 +213,12 @@ proptest! {
         }).collect();
         let view = lines(pieces);
         for layer_by in [LayerBy::Visibility, LayerBy::Class, LayerBy::Object] {
-            let options =
-                DrawingOptions { layer_by, hidden: Hidden::Solid, ..DrawingOptions::default() };
+            let options = DrawingOptions {
+                layer_by,
+                hidden: Hidden::Solid,
+                merge: Some(Length::new(0.0).unwrap()),
+                ..DrawingOptions::default()
+            };
             let drawing = Drawing::new(&view, &options).unwrap();
             let drawn: f64 = drawing.layers.iter().map(|layer| layer.strokes.length()).sum();
             let length = |piece: &LinePiece| piece.points[0].distance(piece.points[1]);
