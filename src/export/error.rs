@@ -120,6 +120,9 @@ pub enum ExportError {
         /// Index of the line, counted from 0.
         line: usize,
     },
+    /// A vertex that JSON has no numbers for.
+    #[error("JSON: vertex {0} of the model is not finite")]
+    NotFiniteVertex(usize),
     /// A frame that JSON has no numbers for.
     #[error("JSON: the frame of the drawing has a coordinate that is not finite")]
     NotFiniteFrame,
@@ -183,6 +186,15 @@ pub enum ExportError {
     /// A file name or a name of a format that no polygons go by.
     #[error("`{0}` is no format of polygons; expected geojson, json or svg")]
     ShapeFormat(String),
+    /// A format that models are read from, but not written as.
+    #[error("models are not written as {0}; expected obj, off, ply, stl or json")]
+    ModelFormat(String),
+    /// Faces with holes, for a format that has none.
+    #[error("{0} has no faces with holes, and this model has; expected json")]
+    Holes(&'static str),
+    /// A model that is no mesh.
+    #[error(transparent)]
+    Mesh(#[from] crate::model::MeshError),
     /// Polygons that cannot be numbered, or have no numbers.
     #[error(transparent)]
     Coordinates(#[from] crate::polygon::clipping::ShapeError),

@@ -14,6 +14,7 @@
 //! | SVG | boxes of pixels | [`boxes_to_svg`] | |
 //! | JSON | [`VisibleLines`](crate::view::VisibleLines) | `to_json`, `read_drawing` | `json` |
 //!
+//! Models, lists of [`Soup`](crate::model::Soup), are written by `write_model`.
 //! Polygons of the plane, [`Rounded`](crate::polygon::clipping::Rounded), are
 //! written as GeoJSON and as SVG paths, and read from GeoJSON and from what an
 //! SVG displays: [`ShapeFormat`], [`ShapeFile`].
@@ -32,6 +33,8 @@ mod hpgl;
 mod json;
 #[cfg(feature = "json")]
 mod json_reader;
+#[cfg(feature = "json")]
+mod models;
 #[cfg(feature = "png")]
 mod png;
 #[cfg(any(feature = "json", feature = "svg"))]
@@ -52,6 +55,8 @@ pub use hpgl::{
 pub use json::{DrawingNotes, to_json, to_json_with_notes};
 #[cfg(feature = "json")]
 pub use json_reader::{read_drawing, read_drawing_with_notes};
+#[cfg(feature = "json")]
+pub use models::{ModelFile, write_model};
 #[cfg(feature = "png")]
 pub use png::{PREVIEW_WIDTH, pixels_to_png, to_png};
 #[cfg(any(feature = "json", feature = "svg"))]

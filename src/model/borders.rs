@@ -58,6 +58,8 @@ pub struct Borders {
     /// Edges that are divided and stretches of their object that are part of
     /// them, sorted.
     parts: Vec<[u32; 2]>,
+    /// Borders on which nothing lies, sorted.
+    open: Vec<u32>,
 }
 
 /// Edges that one task looks at.
@@ -72,7 +74,14 @@ impl Borders {
             borders.match_along_line(mesh, &segments, group);
         }
         borders.sort();
+        let edges = segments.iter().map(|segment| segment.edge);
+        borders.open = edges.filter(|&edge| !borders.divide(edge)).collect();
         borders
+    }
+
+    /// The edges of a single face on which no other border lies, in order.
+    pub fn open(&self) -> &[u32] {
+        &self.open
     }
 
     /// All stretches, in the order of their edges.

@@ -39,7 +39,7 @@ pub use face_places::{FacePlace, FacePlaces};
 pub use fans::Fans;
 pub use features::{EffectiveEdge, FeatureLine, FeatureOptions, Features, LineOrigin, facing};
 pub use frame::{Frame, Projection};
-pub use healing::{HealReport, heal};
+pub use healing::{HealReport, TornBorders, heal, torn_borders};
 pub use hinge::Hinge;
 pub use intersections::{
     EdgePiercings, IntersectionLine, Intersections, Known, triangle_hierarchy,

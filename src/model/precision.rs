@@ -83,7 +83,7 @@ fn unit_of_double(number: f64) -> f64 {
 }
 
 /// The step from a number to the next narrow float.
-fn unit_of_float(number: f64) -> f64 {
+pub(super) fn unit_of_float(number: f64) -> f64 {
     let number = (number.abs() as f32).min(f32::MAX.next_down());
     f64::from(number.next_up()) - f64::from(number)
 }

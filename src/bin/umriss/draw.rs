@@ -145,7 +145,7 @@ impl Draw {
                 if self.style.outline_wanted(&styles).is_some() && notes.outline.is_none() {
                     return Err(Failure::usage(NO_OUTLINE));
                 }
-                notes.unit = self.model.unit.map(UnitName::unit).or(notes.unit);
+                notes.unit = self.model.files.unit.map(UnitName::unit).or(notes.unit);
                 (lines, notes)
             }
         };
@@ -292,8 +292,8 @@ impl Draw {
             ("--outline-of", self.style.outline_of.is_some()),
             ("objects", self.objects.any()),
             ("--fill and --hatch", self.surfaces.any()),
-            ("--weld", self.model.weld.is_some()),
-            ("--up-axis", self.model.up_axis.is_some()),
+            ("--weld and --heal", self.model.weld.is_some() || self.model.heal.is_some()),
+            ("--up-axis", self.model.files.up_axis.is_some()),
         ];
         match settled.into_iter().find(|(_, given)| *given) {
             Some((flag, _)) => Err(Failure::usage(format!(

@@ -23,6 +23,7 @@ mod failure;
 #[cfg(feature = "png")]
 mod finish;
 mod grid_flags;
+mod heal;
 mod info;
 mod input;
 mod interrupt;
@@ -78,6 +79,7 @@ enum Command {
     Clip(Box<clip::Clip>),
     Draw(Box<draw::Draw>),
     Explain(Box<explain::Explain>),
+    Heal(Box<heal::Heal>),
     Info(Box<info::Info>),
     #[cfg(feature = "png")]
     Raster(Box<raster::Raster>),
@@ -92,6 +94,7 @@ fn main() -> ExitCode {
             Command::Clip(clip) => clip.run(),
             Command::Draw(draw) => draw.run(),
             Command::Explain(explain) => explain.run(),
+            Command::Heal(heal) => heal.run(),
             Command::Info(info) => info.run(),
             #[cfg(feature = "png")]
             Command::Raster(raster) => raster.run(),

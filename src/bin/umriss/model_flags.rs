@@ -4,10 +4,26 @@ use clap::{Args, ValueEnum};
 use umriss::model::import::Format;
 use umriss::model::{Unit, UpAxis};
 
-/// The meaning of model files.
+/// The meaning of model files, and how they become a scene.
 #[derive(Args)]
 #[command(next_help_heading = "Models")]
 pub(crate) struct ModelFlags {
+    #[command(flatten)]
+    pub(crate) files: FileFlags,
+    /// Merge vertices of one object that are closer than this, in the models' unit
+    /// [default: only equal ones]
+    #[arg(long, value_name = "TOL", value_parser = parse_distance)]
+    pub(crate) weld: Option<f64>,
+    /// Repair what rounding has torn: vertices go to vertices, edges and planes that are nearer than
+    /// this, in the models' unit, or, with auto, than their files tell [default: nothing is repaired]
+    #[arg(long, value_name = "TOL|auto", value_parser = parse_heal, conflicts_with = "weld")]
+    pub(crate) heal: Option<Heal>,
+}
+
+/// The meaning of model files.
+#[derive(Args)]
+#[command(next_help_heading = "Models")]
+pub(crate) struct FileFlags {
     /// Format of the models: obj, stl, ply, off, json or gltf [default: by content, then
     /// extension]
     #[arg(long, value_name = "F", value_parser = parse_format)]
@@ -22,14 +38,6 @@ pub(crate) struct ModelFlags {
     /// Axis of the models that points up [default: y for glTF, otherwise z]
     #[arg(long, value_enum)]
     pub(crate) up_axis: Option<AxisName>,
-    /// Merge vertices of one object that are closer than this, in the models' unit
-    /// [default: only equal ones]
-    #[arg(long, value_name = "TOL", value_parser = parse_distance)]
-    pub(crate) weld: Option<f64>,
-    /// Repair what rounding has torn: vertices go to vertices, edges and planes that are nearer than
-    /// this, in the models' unit, or, with auto, than their files tell [default: nothing is repaired]
-    #[arg(long, value_name = "TOL|auto", value_parser = parse_heal, conflicts_with = "weld")]
-    pub(crate) heal: Option<Heal>,
 }
 
 /// How far apart is taken for rounding.

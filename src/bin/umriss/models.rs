@@ -3,7 +3,7 @@
 use crate::crossed_faces;
 use crate::failure::Failure;
 use crate::input::{STANDARD_INPUT, read_input};
-use crate::model_flags::{AxisName, Heal, ModelFlags};
+use crate::model_flags::{AxisName, FileFlags, Heal, ModelFlags};
 use crate::session::RunFlags;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,9 @@ use umriss::export::{DrawingNotes, ExportError, read_drawing_with_notes};
 use umriss::model::import::{
     Format, ImportOptions, Imported, line_of_face, read_bytes_within, read_file_within,
 };
-use umriss::model::{HealReport, MeshError, Scene, SceneOptions, Soup, Unit};
+use umriss::model::{
+    HealReport, MeshError, Scene, SceneOptions, Soup, TornBorders, Unit, torn_borders,
+};
 use umriss::run::Run;
 use umriss::view::VisibleLines;
 
@@ -36,7 +38,7 @@ pub(crate) fn read_subject(
     run: &Run<'_>,
 ) -> Result<Subject, Failure> {
     let mut sources = sources(files, run)?;
-    if flags.input_format.is_none()
+    if flags.files.input_format.is_none()
         && let [source] = &mut *sources
         && let Some(drawing) = read_computed(source, run)?
     {
@@ -153,35 +155,13 @@ fn scene_of(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    let (mut unit, mut resolution) = (None, 0.0_f64);
-    let mut soups = Vec::new();
-    let mut formats = Vec::new();
-    run.stage("reading", sources.len() as u64, || {
-        for source in &mut *sources {
-            let imported = import(source, flags, run)?;
-            for warning in &imported.warnings {
-                session.note(&format!("{}: {warning}", source.name()));
-            }
-            formats.push(imported.format);
-            resolution = resolution.max(match flags.heal {
-                Some(Heal::Auto) => imported.resolution(),
-                _ => 0.0,
-            });
-            unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
-            soups.extend(upright_soups(imported, flags, source));
-            run.advance(1);
-        }
-        Ok::<(), Failure>(())
-    })?;
+    let Objects { mut soups, unit, resolution, formats } =
+        read_objects(sources, &flags.files, session, run)?;
     select(&mut soups)?;
     if let Some(heal) = flags.heal {
-        let tolerance = heal.tolerance(resolution);
-        let report = run.stage("healing", soups.len() as u64, || {
-            umriss::model::heal(&mut soups, tolerance, run)
-        })?;
-        session.note(&told(tolerance, &report));
+        healed(&mut soups, heal.tolerance(resolution), session, run)?;
     }
-    let options = SceneOptions { weld: flags.weld, unit: unit.unwrap_or_default() };
+    let options = SceneOptions { weld: flags.weld, unit };
     let made = run.stage("mesh", soups.len() as u64, || Scene::within(soups, &options, run));
     let scene = made.map_err(|error| match sources {
         _ if matches!(error, MeshError::Cancelled(_)) => Failure::from(error),
@@ -192,11 +172,84 @@ fn scene_of(
         let named = sources.iter().zip(&formats).find(|(source, _)| source.name() == file);
         named.and_then(|(source, &format)| line_in(source, format, place.number))
     });
-    let merged = scene.mesh.report().merged_vertices;
     if flags.weld.is_some() {
+        let merged = scene.mesh.report().merged_vertices;
         session.note(&format!("--weld moved {merged} vertices onto others"));
+    } else if flags.heal.is_none()
+        && let Some(torn) = torn_borders(&scene.mesh, resolution, run)?
+    {
+        session.note(&hint(&torn));
     }
     Ok(scene)
+}
+
+/// Reads models and heals them: their objects, and the meaning of their numbers.
+pub(crate) fn read_healed(
+    files: &[PathBuf],
+    flags: &FileFlags,
+    heal: Heal,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<(Vec<Soup>, Unit), Failure> {
+    let Objects { mut soups, unit, resolution, .. } =
+        read_objects(&mut sources(files, run)?, flags, session, run)?;
+    healed(&mut soups, heal.tolerance(resolution), session, run)?;
+    Ok((soups, unit))
+}
+
+/// What is in files.
+struct Objects {
+    soups: Vec<Soup>,
+    unit: Unit,
+    /// Within this places may be one that was rounded twice.
+    resolution: f64,
+    /// Of each file.
+    formats: Vec<Format>,
+}
+
+fn read_objects(
+    sources: &mut [Source<'_>],
+    flags: &FileFlags,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<Objects, Failure> {
+    let (mut unit, mut resolution) = (None, 0.0_f64);
+    let (mut soups, mut formats) = (Vec::new(), Vec::new());
+    run.stage("reading", sources.len() as u64, || {
+        for source in &mut *sources {
+            let imported = import(source, flags, run)?;
+            for warning in &imported.warnings {
+                session.note(&format!("{}: {warning}", source.name()));
+            }
+            formats.push(imported.format);
+            resolution = resolution.max(imported.resolution());
+            unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
+            soups.extend(upright_soups(imported, flags, source));
+            run.advance(1);
+        }
+        Ok::<(), Failure>(())
+    })?;
+    Ok(Objects { soups, unit: unit.unwrap_or_default(), resolution, formats })
+}
+
+/// Heals objects, and tells what that did.
+fn healed(
+    soups: &mut [Soup],
+    tolerance: f64,
+    session: &RunFlags,
+    run: &Run<'_>,
+) -> Result<(), Failure> {
+    let report =
+        run.stage("healing", soups.len() as u64, || umriss::model::heal(soups, tolerance, run))?;
+    session.note(&told(tolerance, &report));
+    Ok(())
+}
+
+/// Where lines come from that nobody meant, in one line.
+fn hint(torn: &TornBorders) -> String {
+    let TornBorders { borders, within, at_ends } = torn;
+    let flag = if *at_ends { "--weld" } else { "--heal" };
+    format!("{borders} borders lie together within {within:e}: {flag} {within:e}")
 }
 
 /// What healing did, in one line.
@@ -208,7 +261,7 @@ fn told(tolerance: f64, report: &HealReport) -> String {
     )
 }
 
-fn import(source: &mut Source<'_>, flags: &ModelFlags, run: &Run<'_>) -> Result<Imported, Failure> {
+fn import(source: &mut Source<'_>, flags: &FileFlags, run: &Run<'_>) -> Result<Imported, Failure> {
     let (format, allow_outside) = (flags.input_format, flags.allow_outside);
     match (source.bytes.take(), source.path) {
         (None, Some(path)) => {
@@ -233,7 +286,7 @@ fn line_in(source: &Source<'_>, format: Format, face: u64) -> Option<u64> {
 fn common_unit(
     so_far: Option<Unit>,
     own: Unit,
-    flags: &ModelFlags,
+    flags: &FileFlags,
     source: &Source<'_>,
 ) -> Result<Unit, Failure> {
     if let Some(name) = flags.unit {
@@ -252,7 +305,7 @@ fn common_unit(
 }
 
 /// The objects of a file, z up; those without a name are called like it.
-fn upright_soups(imported: Imported, flags: &ModelFlags, source: &Source<'_>) -> Vec<Soup> {
+fn upright_soups(imported: Imported, flags: &FileFlags, source: &Source<'_>) -> Vec<Soup> {
     let up = flags.up_axis.map_or(imported.placement.up, AxisName::axis);
     let stem = source.path.and_then(Path::file_stem);
     let stem = stem.map_or("stdin".to_owned(), |stem| stem.to_string_lossy().into_owned());

@@ -32,6 +32,7 @@ mod slivers;
 mod splits;
 mod survey;
 mod tolerance;
+mod torn;
 mod vertices;
 mod write_back;
 
@@ -43,6 +44,7 @@ use near::{Near, near};
 use net::Net;
 use survey::Survey;
 use tolerance::{Tolerance, compare, distance, rank};
+pub use torn::{TornBorders, torn_borders};
 use write_back::Healed;
 
 /// What was done to models.
