@@ -102,27 +102,41 @@ fn hit(ray: &Ray, [a, b, c]: [Vector; 3]) -> Hit {
     if signs.contains(&0) { Hit::Border } else { Hit::At(at) }
 }
 
-/// The triangle seen at a sample. None if a border is hit there, of which a
-/// picture says nothing.
+/// The triangle seen at a sample. None if a border is hit there, or a point
+/// that two planes have in common, of which a picture says nothing.
 pub(crate) fn seen(mesh: &Mesh, view: &View, sample: glam::DVec3) -> Option<Option<u32>> {
     let ray = Ray::new(view, sample);
     let mut best: Option<(u32, [i128; 2])> = None;
-    for (triangle, corners) in (0..).zip(mesh.triangles()) {
-        let corners = corners.map(|vertex| fine(mesh.vertices()[vertex as usize]));
-        let at = match hit(&ray, corners) {
+    let mut crossing = false;
+    let corners = |triangle: u32| {
+        mesh.triangles()[triangle as usize].map(|v| fine(mesh.vertices()[v as usize]))
+    };
+    for triangle in 0..mesh.triangles().len() as u32 {
+        let at = match hit(&ray, corners(triangle)) {
             Hit::None => continue,
             Hit::Border => return None,
             Hit::At(at) => at,
         };
-        let wins = best.is_none_or(|(other, least)| {
-            let order = (at[0] * least[1]).cmp(&(least[0] * at[1]));
-            order.is_lt() || (order.is_eq() && precedes(mesh, triangle, other))
-        });
-        if wins {
+        let Some((other, least)) = best else {
+            best = Some((triangle, at));
+            continue;
+        };
+        let order = (at[0] * least[1]).cmp(&(least[0] * at[1]));
+        if order.is_eq() {
+            crossing |= !are_parallel(corners(triangle), corners(other));
+        } else if order.is_lt() {
+            crossing = false;
+        }
+        if order.is_lt() || (order.is_eq() && precedes(mesh, triangle, other)) {
             best = Some((triangle, at));
         }
     }
-    Some(best.map(|(triangle, _)| triangle))
+    (!crossing).then(|| best.map(|(triangle, _)| triangle))
+}
+
+fn are_parallel(first: [Vector; 3], second: [Vector; 3]) -> bool {
+    let normal = |[a, b, c]: [Vector; 3]| cross(minus(b, a), minus(c, a));
+    cross(normal(first), normal(second)) == [0; 3]
 }
 
 /// Asks a painting order what is on top at samples.

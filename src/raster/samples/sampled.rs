@@ -113,6 +113,7 @@ impl<'a> Sampled<'a> {
     ///
     /// If the run is cancelled.
     pub fn faces<P: Policy>(&self, run: &Run) -> Result<Vec<Face>, Cancelled> {
+        run.check()?;
         let count = self.question.mesh.triangles().len();
         let parts = run.stage("faces", count as u64, || {
             map_chunks(count, PART, |part| {
