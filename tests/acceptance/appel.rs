@@ -12,7 +12,9 @@
 //! the visible pieces alone; and edges that gain nothing may be handed in
 //! as effective ones without effect. Each deliberate fault must be noticed.
 
-use super::scenes::{Kind, Random, perspective, polygons, random_camera, random_soups, rounds};
+use super::scenes::{
+    Kind, Random, orthographic, perspective, polygons, random_camera, random_soups, rounds,
+};
 use glam::{DVec3, dvec3};
 use std::cmp::Ordering;
 use umriss::kernel::predicates::{Carrier, Exact, Place, Predicates};
@@ -317,4 +319,33 @@ fn a_connected_surface_is_counted_once() {
         assert_eq!(run.counters().get("vertices-counted"), expected);
         assert_eq!(first_difference(&question, &answer, &ask_roberts(&question)), None);
     }
+}
+
+/// Of sheets that lie behind one another edge by edge, all but the first are
+/// left as soon as one of many is found to hide them: the work grows with their
+/// number, not with its square.
+#[test]
+fn sheets_on_the_same_image_lines_are_no_crowd() {
+    let tested = |count: u32| {
+        let sheet = |k: u32| {
+            let depth = -f64::from(k);
+            [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+                .map(|[x, y]| dvec3(x, y, depth))
+                .to_vec()
+        };
+        let sheets: Vec<_> = (0..count).map(sheet).collect();
+        let mesh = Mesh::new(vec![polygons(&sheets, &[])], None).expect("a mesh");
+        let run = Run::default();
+        let view = orthographic(dvec3(0.0, 0.0, -1.0));
+        let options = FeatureOptions::default();
+        let prepared = PreparedView::new::<Exact>(&mesh, &view, &options, &run).expect("a view");
+        let question = prepared.question(false);
+        let answer =
+            appel::<Exact>(&question, &AppelOptions::default(), &run).expect("not cancelled");
+        let visible = (0..answer.len()).flat_map(|line| answer.line(line));
+        assert_eq!(visible.filter(|piece| piece.invisibility == 0).count(), 4);
+        run.counters().get("crossings-tested")
+    };
+    let [few, many] = [2000, 4000].map(tested);
+    assert!(many < 3 * few, "{few} and {many} tests");
 }

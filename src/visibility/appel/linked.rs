@@ -205,6 +205,10 @@ fn first_pass<P: Policy>(
 /// side by side.
 const NEIGHBOURS: usize = 64;
 
+/// So many effective edges along one line are a crowd, as where sheets are
+/// stacked in one image line: each line would be held against all others.
+const CROWD: u64 = 1 << 10;
+
 /// Adds one line, keeping at most `most` events in all.
 fn look_at<P: Policy>(
     walker: &mut Walker<'_, P>,
@@ -218,7 +222,18 @@ fn look_at<P: Policy>(
         part.kinds.push(Kind::Alone);
         return;
     }
+    if walker.leaves_early
+        && walker.is_crowded
+        && walker.fault.is_none()
+        && walker.one_triangle_hides(walk)
+    {
+        walker.left_early += 1;
+        part.kinds.push(Kind::LeftOut);
+        return;
+    }
+    let tested = walker.crossings_tested;
     walker.find_events(walk);
+    walker.is_crowded = walker.crossings_tested - tested > CROWD;
     match walker.link(line, walk, contacts) {
         None => part.kinds.push(Kind::Alone),
         Some(link) if walker.events.is_empty() && link.is_plain() => part.kinds.push(Kind::Plain),

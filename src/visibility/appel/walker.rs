@@ -90,6 +90,9 @@ pub(super) struct Walker<'q, P: Policy> {
     pub(super) from_vertex: FromVertex,
     pub(super) vertices_counted: u64,
     pub(super) left_early: u64,
+    /// Whether so many effective edges lie along the last line that it is worth
+    /// asking first whether a triangle hides all of the next.
+    pub(super) is_crowded: bool,
     /// Whether convex parts hide their edges at the back.
     knows_convex: bool,
     lines_at_back: u64,
@@ -124,6 +127,7 @@ impl<'q, P: Policy> Walker<'q, P> {
             from_vertex: FromVertex::default(),
             vertices_counted: 0,
             left_early: 0,
+            is_crowded: false,
             knows_convex: options.skips.convex
                 && options.fault.is_none()
                 && !question.hidden_wanted,
