@@ -190,7 +190,7 @@ pub enum ExportError {
     #[error("models are not written as {0}; expected obj, off, ply, stl or json")]
     ModelFormat(String),
     /// Faces with holes, for a format that has none.
-    #[error("{0} has no faces with holes, and this model has; expected json")]
+    #[error("{0} has no faces with holes, and this model has; expected json or stl")]
     Holes(&'static str),
     /// A model that is no mesh.
     #[error(transparent)]

@@ -4,6 +4,7 @@
 
 mod clip;
 mod explaining;
+mod field;
 mod fixture;
 mod heights;
 mod outlines;

@@ -175,10 +175,10 @@ fn scene_of(
     if flags.weld.is_some() {
         let merged = scene.mesh.report().merged_vertices;
         session.note(&format!("--weld moved {merged} vertices onto others"));
-    } else if flags.heal.is_none()
+    } else if !matches!(flags.heal, Some(Heal::Within(_)))
         && let Some(torn) = torn_borders(&scene.mesh, resolution, run)?
     {
-        session.note(&hint(&torn));
+        session.note(&hint(&torn, flags.heal.is_some()));
     }
     Ok(scene)
 }
@@ -246,10 +246,14 @@ fn healed(
 }
 
 /// Where lines come from that nobody meant, in one line.
-fn hint(torn: &TornBorders) -> String {
+fn hint(torn: &TornBorders, heals: bool) -> String {
     let TornBorders { borders, within, at_ends } = torn;
-    let flag = if *at_ends { "--weld" } else { "--heal" };
-    format!("{borders} borders lie together within {within:e}: {flag} {within:e}")
+    let flag = if *at_ends && !heals { "--weld" } else { "--heal" };
+    let what = match borders {
+        1 => "a border lies beside others".to_owned(),
+        _ => format!("{borders} borders lie together"),
+    };
+    format!("{what} within {within:e}: {flag} {within:e}")
 }
 
 /// What healing did, in one line.

@@ -30,8 +30,7 @@ pub struct ModelFile {
 ///
 /// # Errors
 ///
-/// For glTF, which is not written; for faces with holes in formats other than
-/// our own JSON; for coordinates that are not finite there.
+/// For glTF, which is not written; for faces with holes as OBJ, OFF or PLY; for coordinates that are not finite there.
 ///
 /// ```
 /// use umriss::export::write_model;
@@ -45,7 +44,8 @@ pub struct ModelFile {
 /// ```
 pub fn write_model(objects: &[Soup], format: Format) -> Result<ModelFile, ExportError> {
     let model = Model::of(objects);
-    if format != Format::PolygonScene && model.faces.iter().any(|face| face.rings.len() > 1) {
+    let whole = matches!(format, Format::Obj | Format::Off | Format::Ply);
+    if whole && model.faces.iter().any(|face| face.rings.len() > 1) {
         return Err(ExportError::Holes(format.name()));
     }
     let bytes = match format {
@@ -53,8 +53,8 @@ pub fn write_model(objects: &[Soup], format: Format) -> Result<ModelFile, Export
         Format::Off => text::off(&model),
         Format::Ply => ply::write(&model),
         Format::Stl => stl::write(objects)?,
-        Format::PolygonScene => json::write(&model)?,
         Format::Gltf => return Err(ExportError::ModelFormat(format.name().to_owned())),
+        Format::PolygonScene => json::write(&model)?,
     };
     let holds = |formats: &[Format]| formats.contains(&format);
     let several = objects.len() > 1;
