@@ -30,7 +30,8 @@ fn what_a_drawing_has_settled_is_not_asked_again() {
         ("--view top", "the camera"),
         ("--edges contour", "--crease, --intersections, --seams and --edges"),
         ("--method appel", "--method"),
-        ("--weld 1", "--weld"),
+        ("--weld 1", "--weld and --heal"),
+        ("--heal auto", "--weld and --heal"),
         ("--up-axis y", "--up-axis"),
     ] {
         let message = format!(

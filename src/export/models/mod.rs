@@ -30,7 +30,8 @@ pub struct ModelFile {
 ///
 /// # Errors
 ///
-/// For glTF, which is not written; for faces with holes as OBJ, OFF or PLY; for coordinates that are not finite there.
+/// For glTF, which is not written; for faces with holes as OBJ, OFF or PLY; for
+/// coordinates that are not finite as JSON.
 ///
 /// ```
 /// use umriss::export::write_model;
