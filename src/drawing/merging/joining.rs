@@ -13,7 +13,7 @@ use glam::{DVec2, I64Vec2};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Ends are moved over so many reaches.
-const MOVED: f64 = 0.01;
+pub(super) const MOVED: f64 = 0.01;
 
 /// Segments that one task looks through.
 const PART: usize = 1 << 14;

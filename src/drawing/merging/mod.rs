@@ -122,9 +122,10 @@ impl Subject<'_> {
         [self.plan(piece).tags.level, u32::from(!outline), class as u32]
     }
 
-    /// The reach of a piece that is drawn, mm.
+    /// The reach of a piece that is drawn, mm, without what its ends may be
+    /// moved over later.
     fn reach(&self, piece: usize) -> f64 {
-        self.options.reach_of(self.plan(piece).look.width)
+        self.options.reach_of(self.plan(piece).look.width) * (1.0 - joining::MOVED)
     }
 }
 
