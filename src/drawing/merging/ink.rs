@@ -253,4 +253,4 @@ fn beside(line: &Ray, inked: &Inked, number: u32) -> Option<Cover> {
 }
 
 /// Shorter stretches are nothing but rounding, mm.
-const LEAST_PART: f64 = 1e-9;
+pub(super) const LEAST_PART: f64 = 1e-9;

@@ -132,7 +132,8 @@ impl Net {
         }
         let mut paths = paths(subject, chosen, &next);
         sort_by(&mut paths, |a, b| {
-            a.rank.compare(&b.rank).then(a.steps[0].piece.cmp(&b.steps[0].piece))
+            let by_rank = a.rank.compare(&b.rank);
+            by_rank.then_with(|| a.compare_course(b, subject, chosen))
         });
         Net { nodes, node_of, paths }
     }
@@ -293,5 +294,20 @@ impl Path {
             ends: [start(&steps[0]), end(&steps[count - 1])],
         };
         Path { steps, closed, goes_on, rank }
+    }
+
+    /// Compares the ways of two paths between their ends, point by point, so
+    /// that the order of pieces decides only between paths that coincide.
+    fn compare_course(&self, other: &Self, subject: &Subject<'_>, chosen: &[u32]) -> Ordering {
+        let start =
+            |step: &Step| subject.end(2 * chosen[step.piece as usize] + u32::from(step.back));
+        for (own, other) in self.steps.iter().zip(&other.steps) {
+            let order = compare_points(start(own), start(other));
+            if order.is_ne() {
+                return order;
+            }
+        }
+        let length = self.steps.len().cmp(&other.steps.len());
+        length.then(self.steps[0].piece.cmp(&other.steps[0].piece))
     }
 }

@@ -19,7 +19,7 @@
 //!
 //! Shorter ones than [`LEAST`] reaches are corners and crossings, and kept.
 
-use super::ink::{Cover, Ink, Inked, Inking, Limit, NOWHERE, Ray, Stop};
+use super::ink::{Cover, Ink, Inked, Inking, LEAST_PART, Limit, NOWHERE, Ray, Stop};
 use super::paths::{Net, Node, Path};
 use super::{LEAST, LONG, LONG_CORNER, Subject};
 use glam::DVec2;
@@ -140,7 +140,7 @@ impl<'a> Greedy<'a> {
         let mut removed: FxHashMap<u32, Vec<[f64; 2]>> = FxHashMap::default();
         for Later { path, stretch, covers } in later {
             let meets = |ranges: &[[f64; 2]], range: [f64; 2]| {
-                ranges.iter().any(|other| other[0] < range[1] && range[0] < other[1])
+                ranges.iter().any(|&other| overlap(other, range))
             };
             let free = |map: &FxHashMap<u32, Vec<[f64; 2]>>, inking: &Inking| {
                 !map.get(&inking.inked).is_some_and(|ranges| meets(ranges, inking.range))
@@ -262,9 +262,8 @@ impl<'a> Greedy<'a> {
             let before = i.checked_sub(1).is_some_and(|before| weave(&stretches[before], &stretch));
             let after = stretches.get(i + 1).is_some_and(|after| weave(&stretch, after));
             let within = |cover: &&Cover| {
-                cover.range[0] < stretch.range[1] && stretch.range[0] < cover.range[1]
-                    || track.length() < stretch.range[1]
-                        && cover.range[0] < stretch.range[1] - track.length()
+                let around = stretch.range.map(|place| place - track.length());
+                overlap(cover.range, stretch.range) || overlap(cover.range, around)
             };
             let beneath =
                 || covers.iter().filter(within).map(|cover| cover.over).collect::<Vec<_>>();
@@ -633,6 +632,11 @@ impl Track {
         let share = stretch.close / (stretch.range[1] - stretch.range[0]);
         parts(0) && parts(1) && first * last < 0.0 && (0.25..=0.75).contains(&share)
     }
+}
+
+/// Whether ranges have more in common than rounding.
+fn overlap(one: [f64; 2], other: [f64; 2]) -> bool {
+    one[0] + LEAST_PART < other[1] && other[0] + LEAST_PART < one[1]
 }
 
 /// What is left of a path that goes on and is shorter than this part of the

@@ -1,5 +1,5 @@
 //! What is promised of lines that nearly coincide, on random pages: twins,
-//! chains of neighbours, flat crossings, corners.
+//! chains of neighbours, flat crossings, corners, lenses, dashes.
 
 #![allow(clippy::unwrap_used)]
 
@@ -10,6 +10,9 @@ use crate::run::Counters;
 use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
 use glam::{DVec2, DVec3, dvec2};
 use proptest::prelude::*;
+
+mod input;
+mod ranks;
 
 /// The reach of all tests, mm.
 const REACH: f64 = 0.1;
@@ -102,6 +105,11 @@ enum Beside {
     Crossing(f64),
     /// A line from its end back at a flat angle.
     Corner(f64),
+    /// Two lines from end to end, that meet so many reaches aside.
+    Lens(f64),
+    /// A line so many reaches aside, in so many parts that are seen and hidden
+    /// by turns.
+    Dashes { aside: f64, parts: u32 },
 }
 
 fn beside() -> impl Strategy<Value = Beside> {
@@ -111,14 +119,20 @@ fn beside() -> impl Strategy<Value = Beside> {
         (1..9_u32).prop_map(Beside::Chain),
         (0.001..0.2).prop_map(Beside::Crossing),
         (0.001..0.2).prop_map(Beside::Corner),
+        (-1.5..1.5).prop_map(Beside::Lens),
+        (-1.5..1.5, 2..9_u32).prop_map(|(aside, parts)| Beside::Dashes { aside, parts }),
     ]
 }
 
-/// Lines, each with some beside it; whether seen.
+/// Lines up to 40 mm long, each with some beside it; whether seen.
 fn page() -> impl Strategy<Value = Vec<([DVec2; 2], bool)>> {
-    let line = ((0..30_i32, 0..30_i32), (0..30_i32, 0..30_i32))
-        .prop_map(|(a, b)| [dvec2(a.0.into(), a.1.into()), dvec2(b.0.into(), b.1.into())])
-        .prop_filter("a point", |[a, b]| a != b);
+    page_of(1.0)
+}
+
+/// The same so many times as large, with the same distances aside.
+fn page_of(size: f64) -> impl Strategy<Value = Vec<([DVec2; 2], bool)>> {
+    let point = (0..30_i32, 0..30_i32).prop_map(move |(x, y)| size * dvec2(x.into(), y.into()));
+    let line = [point.clone(), point].prop_filter("a point", |[a, b]| a != b);
     let group = (line, any::<bool>(), prop::collection::vec((beside(), any::<bool>()), 0..4));
     prop::collection::vec(group, 1..4).prop_map(|groups| {
         let mut all = Vec::new();
@@ -141,6 +155,18 @@ fn page() -> impl Strategy<Value = Vec<([DVec2; 2], bool)>> {
                         all.push(([middle - half, middle + half], seen));
                     }
                     Beside::Corner(angle) => all.push(([b, b - turned(angle)], seen)),
+                    Beside::Lens(reaches) => {
+                        let middle = a.lerp(b, 0.5) + aside * reaches;
+                        all.extend([([a, middle], seen), ([middle, b], seen)]);
+                    }
+                    Beside::Dashes { aside: reaches, parts } => {
+                        let at = |i: u32| a.lerp(b, f64::from(i) / f64::from(parts));
+                        let off = aside * reaches;
+                        all.extend(
+                            (0..parts)
+                                .map(|i| ([at(i) + off, at(i + 1) + off], seen == (i % 2 == 0))),
+                        );
+                    }
                 }
             }
         }
@@ -210,9 +236,12 @@ proptest! {
         let page = [([-half, half], seen[0]), ([-turn.rotate(half), turn.rotate(half)], seen[1])];
         let view = view_of(&page);
         let [all, merged] = [0.0, REACH].map(|reach| ink(&drawn(&view, reach)));
-        // Where they part by less than a reach in 40 mm they are twins.
-        if angle * 40.0 > 2.0 * REACH {
+        // Where they part by less than a reach in 40 mm they are twins, but
+        // for those few that come near to it.
+        if angle * 40.0 > 1.01 * REACH {
             prop_assert_eq!(all, merged);
+        } else if angle * 40.0 < 0.98 * REACH {
+            prop_assert_eq!(merged.len(), 1);
         }
     }
 
