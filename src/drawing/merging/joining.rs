@@ -84,7 +84,13 @@ fn odd_ends(segments: &[[DVec2; 2]], loose: &Loose) -> Vec<DVec2> {
     odd.map(|same| same[0]).collect()
 }
 
-/// Pairs of points that are near each other; no point is in two.
+/// Distances that differ by less than this part of the reach are the same:
+/// where parallel lines end on one another there are many such, and no
+/// rounding is to decide which ends are joined.
+const SAME: f64 = 1e-6;
+
+/// Pairs of points that are near each other, the nearest first and then in
+/// the order of the points; no point is in two.
 fn pairs(points: &[DVec2], reach: f64) -> Vec<[DVec2; 2]> {
     let cell = |point: DVec2| (point / reach).floor().as_i64vec2();
     let mut cells: FxHashMap<I64Vec2, Vec<u32>> = FxHashMap::default();
@@ -95,7 +101,7 @@ fn pairs(points: &[DVec2], reach: f64) -> Vec<[DVec2; 2]> {
             for &other in cells.get(&(own + I64Vec2::new(column, row))).into_iter().flatten() {
                 let apart = point.distance(points[other as usize]);
                 if apart <= reach {
-                    near.push((apart, [other, number]));
+                    near.push(((apart / (SAME * reach)).round(), [other, number]));
                 }
             }
         }

@@ -35,7 +35,7 @@ proptest! {
             (low, high) = (low.min(point), high.max(point));
         }
         let centre = 0.5 * low + 0.5 * high;
-        let place = |p: DVec2| dvec2(100.0 + (p.x - centre.x), 100.0 - (p.y - centre.y));
+        let place = |p: DVec2| DVec2::splat(0.5 * SIDE) + dvec2(p.x - centre.x, centre.y - p.y);
         for hidden in [0, 1] {
             let pieces = || view.pieces.iter().filter(|piece| piece.invisibility == hidden);
             let placed: Vec<_> = pieces().map(|piece| piece.points.map(place)).collect();
