@@ -152,7 +152,7 @@ impl<'a> Greedy<'a> {
                 continue;
             }
             let track = self.track(path, &self.paths[path as usize]);
-            let ends = [0, 1].map(|side| track.end(stretch.range[side], side));
+            let ends = track.ends(&stretch);
             let layers = [0, 1].map(|side| track.layer(stretch.range[side], side));
             let gain = self.gains(&stretch, &ends, &layers);
             if self.gain + gain <= 0 || gain <= 0 {
@@ -255,19 +255,15 @@ impl<'a> Greedy<'a> {
             by(0).then_with(|| by(1)).then_with(|| a.limits[0].side.total_cmp(&b.limits[0].side))
         });
         let stretches = track.stretches(covers);
-        let apart = |a: &Stretch, b: &Stretch| b.range[0] - a.range[1];
-        let length = |a: &Stretch| a.range[1] - a.range[0];
-        let weave = |a: &Stretch, b: &Stretch| apart(a, b) < length(a).max(length(b));
-        for (i, &stretch) in stretches.iter().enumerate() {
-            let before = i.checked_sub(1).is_some_and(|before| weave(&stretches[before], &stretch));
-            let after = stretches.get(i + 1).is_some_and(|after| weave(&stretch, after));
+        let weaves = track.weaving(&stretches);
+        for (&stretch, weaves) in stretches.iter().zip(weaves) {
             let within = |cover: &&Cover| {
                 let around = stretch.range.map(|place| place - track.length());
                 overlap(cover.range, stretch.range) || overlap(cover.range, around)
             };
             let beneath =
                 || covers.iter().filter(within).map(|cover| cover.over).collect::<Vec<_>>();
-            let verdict = self.decide(track, &stretch, before || after);
+            let verdict = self.decide(track, &stretch, weaves);
             match verdict {
                 Verdict::Kept => continue,
                 Verdict::LeftOut => self.need(&beneath()),
@@ -304,7 +300,7 @@ impl<'a> Greedy<'a> {
             }
             return Verdict::LeftOut;
         }
-        let ends = [0, 1].map(|side| track.end(stretch.range[side], side));
+        let ends = track.ends(stretch);
         let layers = [0, 1].map(|side| track.layer(stretch.range[side], side));
         let gain = self.gains(stretch, &ends, &layers);
         let dead = |end: &End| matches!(end, End::Node { goes_on: false, .. });
@@ -313,7 +309,8 @@ impl<'a> Greedy<'a> {
             .iter()
             .any(|&side| dead(&ends[side]) && matches!(stretch.limits[1 - side].stop, Stop::Aside));
         let reaches = length / stretch.reach;
-        let worth_a_stroke = if is_corner { LONG_CORNER } else { LONG } <= reaches && !weaves;
+        let long = if is_corner || weaves { LONG_CORNER } else { LONG };
+        let worth_a_stroke = long <= reaches;
         let verdict = if whole && gain <= 0 {
             Verdict::LeftOut
         } else if reaches < LEAST || !whole && track.crosses(stretch, &ends) {
@@ -508,6 +505,27 @@ impl Track {
         } else {
             End::Cut
         }
+    }
+
+    fn ends(&self, stretch: &Stretch) -> [End; 2] {
+        [0, 1].map(|side| self.end(stretch.range[side], side))
+    }
+
+    /// For each of some stretches whether it weaves with the one before it or
+    /// after it: what would be left between the two is shorter than the longer
+    /// of them. Crossings and what is too short to be left out do not count.
+    fn weaving(&self, stretches: &[Stretch]) -> Vec<bool> {
+        let length = |a: &Stretch| a.range[1] - a.range[0];
+        let counts = |a: &Stretch| LEAST * a.reach <= length(a) && !self.crosses(a, &self.ends(a));
+        let counted: Vec<usize> = (0..stretches.len()).filter(|&i| counts(&stretches[i])).collect();
+        let mut weaves = vec![false; stretches.len()];
+        for pair in counted.windows(2) {
+            let [a, b] = [&stretches[pair[0]], &stretches[pair[1]]];
+            if b.range[0] - a.range[1] < length(a).max(length(b)) {
+                pair.iter().for_each(|&i| weaves[i] = true);
+            }
+        }
+        weaves
     }
 
     /// The parts of a piece that are left, from its start.

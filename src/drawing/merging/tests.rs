@@ -11,8 +11,12 @@ use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLi
 use glam::{DVec2, DVec3, dvec2};
 use proptest::prelude::*;
 
+mod doubled;
 mod input;
 mod ranks;
+
+/// The sides of the page, mm.
+const SIDE: f64 = 400.0;
 
 /// The reach of all tests, mm.
 const REACH: f64 = 0.1;
@@ -49,7 +53,7 @@ fn piece(run: u32, points: [DVec2; 2], visible: bool) -> LinePiece {
 
 fn drawn(view: &VisibleLines, reach: f64) -> Drawing {
     let options = DrawingOptions {
-        paper: Paper::Sheet { width: 200.0, height: 200.0 },
+        paper: Paper::Sheet { width: SIDE, height: SIDE },
         scale: Scale::Factor(1.0),
         unit: Unit::Millimetre,
         hidden: Hidden::Solid,
