@@ -91,39 +91,4 @@ fn key(point: DVec2) -> [u64; 2] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn kept(segments: &[[[f64; 2]; 2]]) -> Vec<bool> {
-        let segments: Vec<_> = segments.iter().map(|ends| ends.map(DVec2::from)).collect();
-        long_enough(&segments, 1.0)
-    }
-
-    #[test]
-    fn what_hangs_on_nothing_or_on_one_end_is_left_out() {
-        let speck = [[50.0, 50.0], [50.5, 50.0]];
-        let line = [[0.0, 0.0], [10.0, 0.0]];
-        let on = [[10.0, 0.0], [20.0, 0.0]];
-        let twig = [[10.0, 0.0], [10.0, 0.5]];
-        let on_the_twig = [[[10.0, 0.5], [10.3, 0.8]], [[10.0, 0.5], [9.7, 0.8]]];
-        let all = [speck, line, on, twig, on_the_twig[0], on_the_twig[1]];
-        assert_eq!(kept(&all), [false, true, true, false, false, false]);
-    }
-
-    #[test]
-    fn a_short_stroke_between_others_is_kept() {
-        let bars = [[[0.0, 0.0], [10.0, 0.0]], [[10.0, 0.0], [20.0, 0.0]]];
-        let others = [[[0.0, 0.5], [10.0, 0.5]], [[10.0, 0.5], [20.0, 0.5]]];
-        let link = [[10.0, 0.0], [10.0, 0.5]];
-        assert_eq!(kept(&[bars[0], bars[1], others[0], others[1], link]), [true; 5]);
-        assert_eq!(kept(&[bars[0], bars[1], link]), [true, true, false]);
-    }
-
-    #[test]
-    fn short_pieces_of_a_long_line_are_kept() {
-        let at = |i: usize| [0.3 * i as f64, 0.0];
-        let pieces: Vec<_> = (0..5).map(|i| [at(i), at(i + 1)]).collect();
-        assert_eq!(kept(&pieces), [true; 5]);
-        assert_eq!(kept(&pieces[..3]), [false; 3]);
-    }
-}
+mod tests;

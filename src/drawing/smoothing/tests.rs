@@ -108,3 +108,78 @@ proptest! {
         }
     }
 }
+
+/// A bent stroke through a point, so many steps before it and after it.
+fn bent(through: DVec2, turns: &[(f64, f64)]) -> Vec<DVec2> {
+    let half = turns.len() / 2;
+    let way = |turns: &mut dyn Iterator<Item = &(f64, f64)>, start: f64| {
+        let (mut angle, mut at) = (start, through);
+        let step = |&(turn, length): &(f64, f64)| {
+            angle += turn;
+            at += length * DVec2::from_angle(angle);
+            at
+        };
+        turns.map(step).collect::<Vec<_>>()
+    };
+    let start = 10.0 * turns[0].0;
+    let mut all = way(&mut turns[..half].iter().rev(), start + std::f64::consts::PI);
+    all.reverse();
+    all.push(through);
+    all.extend(way(&mut turns[half..].iter(), start));
+    all
+}
+
+fn from(point: DVec2, stroke: &[DVec2]) -> f64 {
+    let near = |side: &[DVec2]| from_segment(point, side[0], side[1]);
+    stroke.windows(2).map(near).fold(f64::INFINITY, f64::min)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// Bent strokes that cross in common points, and others that end on them,
+    /// in points and between them.
+    #[test]
+    fn what_met_still_meets_and_there_are_no_more_points(
+        crossing in prop::collection::vec(
+            prop::collection::vec((-0.3..0.3f64, 0.3..3.0f64), 4..30), 1..4),
+        ending in prop::collection::vec(
+            (any::<prop::sample::Index>(), any::<prop::sample::Index>(), prop::bool::ANY,
+             0.05..0.95f64, prop::collection::vec((-0.3..0.3f64, 0.3..3.0f64), 2..12)), 0..5),
+        tolerance in prop::sample::select(vec![0.02, 0.1, 0.5]),
+    ) {
+        let mut all: Vec<_> =
+            crossing.iter().map(|turns| bent(DVec2::splat(100.0), turns)).collect();
+        for (stroke, side, between, share, turns) in &ending {
+            let on = &all[stroke.index(all.len())];
+            let side = side.index(on.len() - 1);
+            let foot = if *between { on[side].lerp(on[side + 1], *share) } else { on[side] };
+            let mut new = bent(foot, turns);
+            new.drain(..turns.len() / 2);
+            all.push(new);
+        }
+        for how in [Smoothing::Fit, Smoothing::Simplify] {
+            let smooth = smoothed(&all, how, tolerance);
+            let flat = smooth.flat(1e-4);
+            prop_assert!(smooth.point_count() <= all.iter().map(Vec::len).sum());
+            for (index, stroke) in all.iter().enumerate() {
+                let controls = smooth.bends(index).iter().flatten().count() * 2;
+                prop_assert!(smooth.get(index).len() + controls <= stroke.len());
+                let ends = [stroke[0], stroke[stroke.len() - 1]];
+                let nodes = smooth.get(index);
+                prop_assert_eq!([nodes[0], nodes[nodes.len() - 1]], ends);
+                for (other, before) in all.iter().enumerate().filter(|(other, _)| *other != index) {
+                    // Ends on others, and points that both have.
+                    let common = stroke.iter().filter(|point| before.contains(point));
+                    for point in common {
+                        prop_assert!(nodes.contains(point), "{how:?}: {point} of {index}");
+                    }
+                    for end in ends.into_iter().filter(|end| from(*end, before) <= 1e-9) {
+                        let gap = from(end, flat.get(other));
+                        prop_assert!(gap <= 1e-6, "{how:?}: {gap} mm to {other}");
+                    }
+                }
+            }
+        }
+    }
+}
