@@ -20,7 +20,9 @@
 //!    (`joining`), so that strokes stay whole.
 //!
 //! What crosses is not cut, however flat, and corners are left as they are:
-//! those would be more strokes for no less ink. O(n log n) for n pieces, and
+//! those would be more strokes for no less ink. So is what runs along with
+//! others for less than is worth a stroke: 100 reaches, 400 at a corner or
+//! where lines weave. Nothing longer is drawn twice. O(n log n) for n pieces, and
 //! but one look at most of them.
 
 mod cells;
@@ -55,7 +57,8 @@ const LEAST: f64 = 4.0;
 /// A stretch of so many reaches is worth a stroke.
 const LONG: f64 = 100.0;
 
-/// A corner of so many reaches is.
+/// A corner of so many reaches is, and one of several stretches of a line with
+/// less between them.
 const LONG_CORNER: f64 = 400.0;
 
 /// The sine of the largest angle between lines that run along one another: any
