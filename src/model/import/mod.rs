@@ -277,12 +277,9 @@ fn read(
 /// The line on which a face begins, counted from 1, in a file of a format
 /// whose reader does not note the lines of all faces; `number` counts the faces
 /// of the file from 0. O(length of the file).
+#[cfg(feature = "json")]
 pub fn line_of_face(bytes: &[u8], format: Format, number: u64) -> Option<u64> {
-    match format {
-        #[cfg(feature = "json")]
-        Format::PolygonScene => Some(polygon_scene::line_of_face(bytes, number)),
-        _ => None,
-    }
+    (format == Format::PolygonScene).then(|| polygon_scene::line_of_face(bytes, number))
 }
 
 /// Vertex and corner numbers are 32 bits wide. One of either takes at least

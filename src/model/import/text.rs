@@ -146,6 +146,7 @@ impl<'a> Text<'a> {
     }
 
     /// Whether the next byte but blanks is a CR that ends its line alone.
+    #[cfg(feature = "ply")]
     pub(super) fn line_ends_in_cr(&self) -> bool {
         let mut text = self.clone();
         text.word().is_none()
@@ -154,6 +155,7 @@ impl<'a> Text<'a> {
     }
 
     /// Goes behind the CR that ends this line, whatever follows it.
+    #[cfg(feature = "ply")]
     pub(super) fn pass_cr(&mut self) {
         self.skip_to_line_end();
         self.at = (self.at + 1).min(self.bytes.len());
