@@ -115,7 +115,8 @@ impl Mesh {
     ) -> Result<Self, MeshError> {
         run.take(soups.iter().map(bytes_of_mesh).sum())?;
         let mut report = MeshReport::default();
-        let (mut positions, mut first_vertex) = take_positions(&mut soups, tolerance, &mut report)?;
+        let (mut positions, mut first_vertex) =
+            welded_positions(&mut soups, tolerance, &mut report)?;
         let mut crossed = CrossedFaces::default();
         let (welded, vertices, mut triangles) = loop {
             run.check()?;
@@ -429,9 +430,9 @@ fn bytes_of_mesh(soup: &Soup) -> u64 {
     (soup.vertices.len() * 40 + soup.faces.len() * 48 + soup.lines.len() * 8) as u64
 }
 
-/// Moves all positions into one array; returns it with the first vertex of
-/// each soup.
-fn take_positions(
+/// Moves all positions into one array, if they can be numbered, and merges
+/// those that are closer than a tolerance; with the first vertex of each soup.
+fn welded_positions(
     soups: &mut [Soup],
     tolerance: Option<f64>,
     report: &mut MeshReport,
@@ -444,16 +445,7 @@ fn take_positions(
     if total > u32::MAX as usize / 2 * 2 - 1 {
         return Err(MeshError::TooLarge(total, "vertices"));
     }
-    let mut first_vertex = Vec::with_capacity(soups.len());
-    let mut positions = Vec::new();
-    for soup in soups {
-        first_vertex.push(positions.len() as u32);
-        if positions.is_empty() {
-            positions = std::mem::take(&mut soup.vertices);
-        } else {
-            positions.append(&mut soup.vertices);
-        }
-    }
+    let (mut positions, first_vertex) = super::soup::take_positions(soups);
     if let Some(tolerance) = tolerance.filter(|&tolerance| tolerance > 0.0) {
         report.merged_vertices = merge_close(&mut positions, &first_vertex, tolerance);
     }

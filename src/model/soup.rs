@@ -185,6 +185,21 @@ pub struct Soup {
     pub places: FacePlaces,
 }
 
+/// Moves the positions of all objects into one array; with the place where
+/// those of each begin.
+pub(super) fn take_positions(soups: &mut [Soup]) -> (Vec<DVec3>, Vec<u32>) {
+    let (mut positions, mut starts) = (Vec::new(), Vec::with_capacity(soups.len()));
+    for soup in soups {
+        starts.push(positions.len() as u32);
+        if positions.is_empty() {
+            positions = std::mem::take(&mut soup.vertices);
+        } else {
+            positions.append(&mut soup.vertices);
+        }
+    }
+    (positions, starts)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

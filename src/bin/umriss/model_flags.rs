@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use umriss::model::import::Format;
-use umriss::model::{Unit, UpAxis};
+use umriss::model::{Soup, Unit, UpAxis};
 
 /// The meaning of model files, and how they become a scene.
 #[derive(Args)]
@@ -50,10 +50,13 @@ pub(crate) enum Heal {
 }
 
 impl Heal {
-    /// The distance, given that the files tell this one.
-    pub(crate) fn tolerance(self, resolution: f64) -> f64 {
+    /// The distance for objects, as their files have them.
+    pub(crate) fn tolerance(self, objects: &[Soup]) -> f64 {
         match self {
-            Heal::Auto => resolution,
+            Heal::Auto => {
+                let of = |object: &Soup| object.precision.resolution(&object.vertices);
+                objects.iter().map(of).fold(0.0, f64::max)
+            }
             Heal::Within(distance) => distance,
         }
     }

@@ -12,8 +12,7 @@ use umriss::model::import::{
     Format, ImportOptions, Imported, line_of_face, read_bytes_within, read_file_within,
 };
 use umriss::model::{
-    HealReport, Mesh, MeshError, Object, Precision, Scene, SceneOptions, Soup, TornBorders, Unit,
-    torn_borders,
+    HealReport, MeshError, Scene, SceneOptions, Soup, TornBorders, Unit, torn_borders,
 };
 use umriss::run::Run;
 use umriss::view::VisibleLines;
@@ -156,14 +155,13 @@ fn scene_of(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Scene, Failure> {
-    let heals_by_file = flags.heal == Some(Heal::Auto);
-    let Objects { mut soups, unit, resolution, formats } =
-        read_objects(sources, &flags.files, heals_by_file, session, run)?;
+    let Objects { mut soups, unit, formats } = read_objects(sources, &flags.files, session, run)?;
+    // Files tell how fine they are, whatever is selected of them.
+    let tolerance = flags.heal.map(|heal| heal.tolerance(&soups));
     select(&mut soups)?;
-    if let Some(heal) = flags.heal {
-        healed(&mut soups, heal.tolerance(resolution), session, run)?;
+    if let Some(tolerance) = tolerance {
+        healed(&mut soups, tolerance, session, run)?;
     }
-    let precisions: Vec<Precision> = soups.iter().map(|soup| soup.precision).collect();
     let options = SceneOptions { weld: flags.weld, unit };
     let made = run.stage("mesh", soups.len() as u64, || Scene::within(soups, &options, run));
     let scene = made.map_err(|error| match sources {
@@ -179,8 +177,7 @@ fn scene_of(
         let merged = scene.mesh.report().merged_vertices;
         session.note(&format!("--weld moved {merged} vertices onto others"));
     } else if !matches!(flags.heal, Some(Heal::Within(_)))
-        && !scene.mesh.borders().open().is_empty()
-        && let Some(torn) = torn_borders(&scene.mesh, coarsest(&scene.mesh, &precisions), run)?
+        && let Some(torn) = torn_borders(&scene.mesh, run)?
     {
         session.note(&hint(&torn, flags.heal.is_some()));
     }
@@ -195,10 +192,10 @@ pub(crate) fn read_healed(
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<(Vec<Soup>, Unit), Failure> {
-    let by_file = heal == Heal::Auto;
-    let Objects { mut soups, unit, resolution, .. } =
-        read_objects(&mut sources(files, run)?, flags, by_file, session, run)?;
-    healed(&mut soups, heal.tolerance(resolution), session, run)?;
+    let Objects { mut soups, unit, .. } =
+        read_objects(&mut sources(files, run)?, flags, session, run)?;
+    let tolerance = heal.tolerance(&soups);
+    healed(&mut soups, tolerance, session, run)?;
     Ok((soups, unit))
 }
 
@@ -206,8 +203,6 @@ pub(crate) fn read_healed(
 struct Objects {
     soups: Vec<Soup>,
     unit: Unit,
-    /// Within this places may be one that was rounded twice; 0 if nobody asks.
-    resolution: f64,
     /// Of each file.
     formats: Vec<Format>,
 }
@@ -215,12 +210,10 @@ struct Objects {
 fn read_objects(
     sources: &mut [Source<'_>],
     flags: &FileFlags,
-    wants_resolution: bool,
     session: &RunFlags,
     run: &Run<'_>,
 ) -> Result<Objects, Failure> {
-    let (mut unit, mut resolution) = (None, 0.0_f64);
-    let (mut soups, mut formats) = (Vec::new(), Vec::new());
+    let (mut unit, mut soups, mut formats) = (None, Vec::new(), Vec::new());
     run.stage("reading", sources.len() as u64, || {
         for source in &mut *sources {
             let imported = import(source, flags, run)?;
@@ -228,16 +221,13 @@ fn read_objects(
                 session.note(&format!("{}: {warning}", source.name()));
             }
             formats.push(imported.format);
-            if wants_resolution {
-                resolution = resolution.max(imported.resolution());
-            }
             unit = Some(common_unit(unit, imported.placement.unit, flags, source)?);
             soups.extend(upright_soups(imported, flags, source));
             run.advance(1);
         }
         Ok::<(), Failure>(())
     })?;
-    Ok(Objects { soups, unit: unit.unwrap_or_default(), resolution, formats })
+    Ok(Objects { soups, unit: unit.unwrap_or_default(), formats })
 }
 
 /// Heals objects, and tells what that did.
@@ -251,16 +241,6 @@ fn healed(
         run.stage("healing", soups.len() as u64, || umriss::model::heal(soups, tolerance, run))?;
     session.note(&told(tolerance, &report));
     Ok(())
-}
-
-/// The coarsest resolution of the files that the objects of a mesh are from.
-fn coarsest(mesh: &Mesh, precisions: &[Precision]) -> f64 {
-    let objects = mesh.objects().iter().zip(precisions);
-    let of = |(object, precision): (&Object, &Precision)| {
-        let vertices = object.vertices.start as usize..object.vertices.end as usize;
-        precision.resolution(&mesh.vertices()[vertices])
-    };
-    objects.map(of).fold(0.0, f64::max)
 }
 
 /// Where lines come from that nobody meant, in one line.

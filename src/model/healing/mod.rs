@@ -37,9 +37,9 @@ mod vertices;
 mod write_back;
 
 use super::Soup;
+use super::soup::take_positions;
 use crate::run::{Cancelled, Run};
 use borders::{borders, count_closed};
-use glam::DVec3;
 use near::{Near, near};
 use net::Net;
 use survey::Survey;
@@ -133,18 +133,4 @@ pub fn heal(soups: &mut [Soup], tolerance: f64, run: &Run<'_>) -> Result<HealRep
 /// What is held for each vertex and face while an object is healed.
 fn bytes_of_net(soup: &Soup) -> u64 {
     (soup.vertices.len() * 64 + soup.faces.len() * 8) as u64
-}
-
-/// Takes the positions of all objects, and where those of each begin.
-fn take_positions(soups: &mut [Soup]) -> (Vec<DVec3>, Vec<u32>) {
-    let (mut positions, mut starts) = (Vec::new(), Vec::with_capacity(soups.len()));
-    for soup in soups {
-        starts.push(positions.len() as u32);
-        if positions.is_empty() {
-            positions = std::mem::take(&mut soup.vertices);
-        } else {
-            positions.append(&mut soup.vertices);
-        }
-    }
-    (positions, starts)
 }

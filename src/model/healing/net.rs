@@ -174,21 +174,21 @@ impl<'s> Net<'s> {
             rings.clone_from(changed);
             return;
         }
-        rings.clear();
-        let start = self.starts[name.object as usize];
-        let now = |&corner: &u32| self.now[(start + corner) as usize];
-        for ring in self.soups[name.object as usize].faces.rings(name.face as usize) {
-            rings.push(ring.iter().map(now));
-        }
+        self.rings_by(&self.now, name, rings);
     }
 
     /// The rings of a face in its file, by the places of then.
     pub(super) fn old_rings(&self, name: FaceName, rings: &mut Rings) {
+        self.rings_by(&self.first, name, rings);
+    }
+
+    /// The rings of a face in its file, its vertices by these names.
+    fn rings_by(&self, names: &[u32], name: FaceName, rings: &mut Rings) {
         rings.clear();
         let start = self.starts[name.object as usize];
-        let first = |&corner: &u32| self.first[(start + corner) as usize];
+        let named = |&corner: &u32| names[(start + corner) as usize];
         for ring in self.soups[name.object as usize].faces.rings(name.face as usize) {
-            rings.push(ring.iter().map(first));
+            rings.push(ring.iter().map(named));
         }
     }
 

@@ -13,56 +13,76 @@ use super::splits::{Side, Splits};
 use crate::run::{Run, map_chunks};
 use glam::DVec3;
 
-/// Places that one task looks at.
+/// Ends that one task looks at.
 const PART: usize = 1 << 10;
+
+/// A border, by its object and the names and positions of its ends.
+pub(super) struct Border {
+    pub(super) object: u32,
+    pub(super) names: [u32; 2],
+    pub(super) ends: [DVec3; 2],
+}
+
+/// An end of borders of an object.
+pub(super) struct End {
+    pub(super) object: u32,
+    pub(super) name: u32,
+    pub(super) position: DVec3,
+}
 
 /// Leads borders through what lies beside them; how many faces collapse.
 pub(super) fn close(
     net: &mut Net<'_>,
-    borders: &[Side],
+    sides: &[Side],
     tolerance: Tolerance,
     run: &Run<'_>,
 ) -> usize {
+    let border = |side: &Side| Border {
+        object: side.object,
+        names: side.ends,
+        ends: side.ends.map(|end| net.at(end)),
+    };
+    let borders: Vec<Border> = sides.iter().map(border).collect();
+    let mut names: Vec<(u32, u32)> =
+        sides.iter().flat_map(|side| side.ends.map(|end| (side.object, end))).collect();
+    names.sort_unstable();
+    names.dedup();
+    let end = |(object, name)| End { object, name, position: net.at(name) };
+    let ends: Vec<End> = names.into_iter().map(end).collect();
     let mut splits = Splits::default();
-    for (side, place) in beside(net, borders, tolerance, run) {
-        splits.add(side, place);
+    for [border, end] in beside(&borders, &ends, tolerance, run) {
+        splits.add(sides[border as usize], ends[end as usize].name);
     }
     splits.apply(net, tolerance).collapsed
 }
 
 /// Borders with the ends of other borders of the same object that lie beside
-/// them.
-fn beside(
-    net: &Net<'_>,
-    borders: &[Side],
+/// them, by their places in the lists.
+pub(super) fn beside(
+    borders: &[Border],
+    ends: &[End],
     tolerance: Tolerance,
     run: &Run<'_>,
-) -> Vec<(Side, u32)> {
-    let ends_of = |side: &Side| side.ends.map(|end| net.at(end));
+) -> Vec<[u32; 2]> {
     let boxes: Vec<[DVec3; 2]> =
-        borders.iter().map(ends_of).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        borders.iter().map(|border| border.ends).map(|[a, b]| [a.min(b), a.max(b)]).collect();
     let (rounding, hierarchy) = hierarchy(&boxes, tolerance);
-    let mut ends: Vec<(u32, u32)> =
-        borders.iter().flat_map(|side| side.ends.map(|end| (side.object, end))).collect();
-    ends.sort_unstable();
-    ends.dedup();
     let parts = map_chunks(ends.len(), PART, |part| {
         let mut found = Vec::new();
-        for &(object, place) in &ends[part] {
+        for (number, end) in (part.start as u32..).zip(&ends[part]) {
             if run.is_stopped() {
                 break;
             }
-            let position = net.at(place);
-            let around = rounding.around(position, position);
+            let around = rounding.around(end.position, end.position);
             hierarchy.visit(
                 |group| group.overlapping(&around),
-                |border| {
-                    let side = borders[border as usize];
-                    if side.object == object
-                        && !side.ends.contains(&place)
-                        && tolerance.beside(position, ends_of(&side)).is_some()
+                |place| {
+                    let border = &borders[place as usize];
+                    if border.object == end.object
+                        && !border.names.contains(&end.name)
+                        && tolerance.beside(end.position, border.ends).is_some()
                     {
-                        found.push((side, place));
+                        found.push([place, number]);
                     }
                 },
             );

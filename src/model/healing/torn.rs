@@ -6,13 +6,13 @@
 //! file's resolution; but numbers in doubles were often computed in narrow
 //! floats, so a few units of those, at the size of the model, are a hair too.
 
-use super::coordinates::hierarchy;
 use super::near::{Near, near};
+use super::seams::{Border, End, beside};
 use super::tolerance::Tolerance;
 use crate::model::Mesh;
 use crate::model::components::{join, root};
 use crate::model::precision::unit_of_float;
-use crate::run::{Cancelled, Run, map_chunks};
+use crate::run::{Cancelled, Run};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
@@ -33,26 +33,22 @@ pub struct TornBorders {
 /// floats is off by.
 const FLOAT_UNITS: f64 = 16.0;
 
-/// Ends that one task looks at.
-const PART: usize = 1 << 10;
-
-/// Borders of one object that lie beside another within the larger of a
-/// resolution, in the model's unit, and of the roundings of narrow floats;
-/// nothing if there are none. Expected O(b log b) for b borders on which
+/// Borders of one object that lie beside another within the larger of the
+/// files' resolution and of the roundings of narrow floats; nothing if there
+/// are none. Expected O(b log b) for b borders on which
 /// nothing lies exactly, and O(1) for none.
 ///
 /// # Errors
 ///
 /// If the run is cancelled.
-pub fn torn_borders(
-    mesh: &Mesh,
-    resolution: f64,
-    run: &Run<'_>,
-) -> Result<Option<TornBorders>, Cancelled> {
+pub fn torn_borders(mesh: &Mesh, run: &Run<'_>) -> Result<Option<TornBorders>, Cancelled> {
     let open = mesh.borders().open();
+    if open.len() < 2 {
+        return Ok(None);
+    }
     let (low, high) = mesh.bounds();
-    let reach = resolution.max(FLOAT_UNITS * unit_of_float((high - low).max_element()));
-    if open.len() < 2 || !(0.0 < reach && reach.is_finite()) {
+    let reach = mesh.resolution().max(FLOAT_UNITS * unit_of_float((high - low).max_element()));
+    if !(0.0 < reach && reach.is_finite()) {
         return Ok(None);
     }
     let within = power_of_ten_above(reach);
@@ -130,35 +126,22 @@ impl<'a> Ends<'a> {
     fn beside(&self, partners: &[bool], run: &Run<'_>) -> Result<Vec<bool>, Cancelled> {
         let at = |vertex: u32| self.mesh.vertices()[vertex as usize];
         let alone: Vec<usize> = (0..self.edges.len()).filter(|&edge| !partners[edge]).collect();
-        let sides: Vec<[DVec3; 2]> =
-            alone.iter().map(|&edge| self.mesh.edges().ends(self.edges[edge]).map(at)).collect();
-        let boxes: Vec<[DVec3; 2]> = sides.iter().map(|[a, b]| [a.min(*b), a.max(*b)]).collect();
-        let (rounding, hierarchy) = hierarchy(&boxes, self.tolerance);
-        let parts = map_chunks(self.vertices.len(), PART, |part| {
-            let mut found = Vec::new();
-            for (&vertex, name) in self.vertices[part.clone()].iter().zip(&self.names[part]) {
-                if run.is_stopped() {
-                    break;
-                }
-                let around = rounding.around(at(vertex), at(vertex));
-                hierarchy.visit(
-                    |group| group.overlapping(&around),
-                    |side| {
-                        let edge = alone[side as usize];
-                        if self.object(edge) == self.mesh.object_of_vertex(vertex)
-                            && !self.ends[edge].contains(name)
-                            && self.tolerance.beside(at(vertex), sides[side as usize]).is_some()
-                        {
-                            found.push(edge);
-                        }
-                    },
-                );
-            }
-            found
-        });
+        let border = |&edge: &usize| Border {
+            object: self.object(edge),
+            names: self.ends[edge],
+            ends: self.mesh.edges().ends(self.edges[edge]).map(at),
+        };
+        let borders: Vec<Border> = alone.iter().map(border).collect();
+        let end = |(&vertex, &name): (&u32, &u32)| End {
+            object: self.mesh.object_of_vertex(vertex),
+            name,
+            position: at(vertex),
+        };
+        let ends: Vec<End> = self.vertices.iter().zip(&self.names).map(end).collect();
+        let found = beside(&borders, &ends, self.tolerance, run);
         run.check()?;
         let mut beside = vec![false; self.edges.len()];
-        parts.into_iter().flatten().for_each(|edge| beside[edge] = true);
+        found.into_iter().for_each(|[border, _]| beside[alone[border as usize]] = true);
         Ok(beside)
     }
 }

@@ -75,16 +75,6 @@ pub struct Imported {
     pub warnings: Vec<String>,
 }
 
-impl Imported {
-    /// The distance within which places of this file may be one that was
-    /// rounded twice: a few units of the last place that the file has, in its
-    /// own unit. O(n).
-    pub fn resolution(&self) -> f64 {
-        let of = |soup: &Soup| soup.precision.resolution(&soup.vertices);
-        self.objects.iter().map(of).fold(0.0, f64::max)
-    }
-}
-
 /// How a file is read.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct ImportOptions {
