@@ -107,9 +107,8 @@ mod tests {
     use super::*;
     use serde::Deserialize;
 
-    #[derive(Debug, Deserialize)]
+    #[derive(Debug, PartialEq, Deserialize)]
     #[serde(deny_unknown_fields)]
-    #[allow(dead_code)]
     struct Thing {
         count: u32,
         place: Option<[f64; 3]>,
@@ -120,9 +119,8 @@ mod tests {
         more: Option<serde_json::Value>,
     }
 
-    #[derive(Debug, Deserialize)]
+    #[derive(Debug, PartialEq, Deserialize)]
     #[serde(rename_all = "lowercase")]
-    #[allow(dead_code)]
     enum Kind {
         Solid,
         Sheet,
@@ -130,6 +128,22 @@ mod tests {
 
     fn words(text: &[u8]) -> String {
         json_message(&serde_json::from_slice::<Thing>(text).unwrap_err(), "a thing")
+    }
+
+    #[test]
+    fn a_thing_without_a_fault_is_read() {
+        let text =
+            br#"{"count":1,"place":[1,2,3],"kind":"sheet","parts":[],"name":"a","lit":true}"#;
+        let thing = Thing {
+            count: 1,
+            place: Some([1.0, 2.0, 3.0]),
+            kind: Some(Kind::Sheet),
+            parts: Some(Vec::new()),
+            name: Some("a".to_owned()),
+            lit: Some(true),
+            more: None,
+        };
+        assert_eq!(serde_json::from_slice::<Thing>(text).unwrap(), thing);
     }
 
     #[test]

@@ -39,7 +39,6 @@ mod ply;
 mod polygon_scene;
 mod stl;
 mod stl_text;
-mod surroundings;
 mod text;
 mod text_row;
 
@@ -59,7 +58,6 @@ pub use json_words::json_message;
 use super::{Placement, Soup, Unit, UpAxis};
 use crate::run::Run;
 use error::{Fault, Read};
-use surroundings::Surroundings;
 
 /// What a file held.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,7 +107,7 @@ pub fn read_file_within(
     options: ImportOptions,
     run: &Run<'_>,
 ) -> Result<Imported, ImportError> {
-    let ImportOptions { format, allow_outside } = options;
+    let format = options.format;
     let name = path.display().to_string();
     let io = |source| ImportError::Io { file: name.clone(), source };
     let metadata = path.metadata().map_err(io)?;
@@ -129,8 +127,7 @@ pub fn read_file_within(
             let bytes = run.read_all(file, size, most).map_err(io)?;
             run.check()?;
             let folder = path.parent().unwrap_or(Path::new(""));
-            let surroundings = Surroundings { folder: Some(folder), allow_outside };
-            let outcome = read(path, &bytes, format, surroundings, run);
+            let outcome = read(path, &bytes, options, Some(folder), run);
             run.give_back(bytes.capacity() as u64);
             outcome
         }
@@ -214,8 +211,8 @@ pub fn read_bytes_within(
     format: Option<Format>,
     run: &Run<'_>,
 ) -> Result<Imported, ImportError> {
-    let surroundings = Surroundings { folder: None, allow_outside: false };
-    let outcome = read(Path::new(name), bytes, format, surroundings, run);
+    let options = ImportOptions { format, ..ImportOptions::default() };
+    let outcome = read(Path::new(name), bytes, options, None, run);
     run.check()?;
     let imported = outcome.map_err(|fault| fault.named(name))?;
     run.take(imported.objects.iter().map(bytes_of).sum())?;
@@ -236,17 +233,18 @@ impl Found {
     }
 }
 
+/// Reads bytes; without a folder, all that they refer to has to be in them.
 fn read(
     name: &Path,
     bytes: &[u8],
-    format: Option<Format>,
-    surroundings: Surroundings<'_>,
+    options: ImportOptions,
+    folder: Option<&Path>,
     run: &Run<'_>,
 ) -> Read<Imported> {
     if bytes.trim_ascii().is_empty() {
         return Err(Fault::line(1, "the file is empty, expected a model"));
     }
-    let told = format.or_else(|| Format::from_content(bytes));
+    let told = options.format.or_else(|| Format::from_content(bytes));
     let Some(format) = told.or_else(|| Format::from_extension(name)) else {
         return Err(Fault::file(
             "the format is unknown, expected OBJ, STL, PLY, OFF, JSON, glTF or GLB",
@@ -259,7 +257,7 @@ fn read(
         Format::Off => off::read(bytes, run),
         Format::Ply => read_ply(bytes, run),
         Format::PolygonScene => read_polygon_scene(bytes),
-        Format::Gltf => read_gltf(bytes, surroundings, run),
+        Format::Gltf => read_gltf(bytes, folder, options.allow_outside, run),
     }?;
     Ok(found.imported(format))
 }
@@ -315,7 +313,7 @@ fn read_polygon_scene(_: &[u8]) -> Read<Found> {
 use gltf::read as read_gltf;
 
 #[cfg(not(feature = "gltf"))]
-fn read_gltf(_: &[u8], _: Surroundings<'_>, _: &Run<'_>) -> Read<Found> {
+fn read_gltf(_: &[u8], _: Option<&Path>, _: bool, _: &Run<'_>) -> Read<Found> {
     Err(left_out(Format::Gltf))
 }
 

@@ -6,8 +6,8 @@ use std::cell::{Cell, OnceCell};
 use super::super::error::{Fault, Read, quote};
 use super::super::json_places::{Step, line_of, offset_of, place_of};
 use super::super::json_words::json_message;
-use super::super::surroundings::Surroundings;
 use super::document::{Natural, Root, Word};
+use super::files::Surroundings;
 use crate::run::Run;
 
 /// A glTF document, with all that is needed to follow its references.

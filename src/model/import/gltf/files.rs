@@ -10,7 +10,6 @@ use std::fs::{File, Metadata};
 use std::path::{Component, Path, PathBuf};
 
 use super::super::error::quote;
-use super::super::surroundings::Surroundings;
 use crate::run::Run;
 
 /// Why a file is not read.
@@ -20,6 +19,15 @@ pub(super) enum Refusal {
     Outside(String),
     /// It cannot be.
     Unreadable(String),
+}
+
+/// Where the files are that a document refers to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surroundings<'a> {
+    /// The folder of the document; without one, all has to be in its file.
+    pub(super) folder: Option<&'a Path>,
+    /// Whether files that are not in this folder or below may be read too.
+    pub(super) allow_outside: bool,
 }
 
 impl Surroundings<'_> {

@@ -38,11 +38,18 @@ use super::super::{Precision, Soup};
 use super::Found;
 use super::error::Read;
 use super::json_places::Step;
-use super::surroundings::Surroundings;
 use crate::run::Run;
+use files::Surroundings;
+use std::path::Path;
 
-/// Reads a glTF or GLB file.
-pub(super) fn read(bytes: &[u8], surroundings: Surroundings<'_>, run: &Run<'_>) -> Read<Found> {
+/// Reads a glTF or GLB file; see [`Surroundings`].
+pub(super) fn read(
+    bytes: &[u8],
+    folder: Option<&Path>,
+    allow_outside: bool,
+    run: &Run<'_>,
+) -> Read<Found> {
+    let surroundings = Surroundings { folder, allow_outside };
     let mut warnings = Vec::new();
     let document = Document::open(bytes, surroundings, run, &mut warnings)?;
     extensions::check(&document, &mut warnings)?;
