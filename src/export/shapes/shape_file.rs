@@ -90,7 +90,11 @@ impl ShapeFile {
     ) -> Result<PlaneShape, ShapeError> {
         Clips { file: self, shapes: FxHashMap::default(), run }.union(&self.parts, rule)
     }
+}
 
+/// Clips, which SVG alone has.
+#[cfg(feature = "svg")]
+impl ShapeFile {
     pub(super) fn add_region(&mut self, parts: Vec<ShapePart>) -> RegionId {
         self.regions.push(parts);
         RegionId(self.regions.len() as u32 - 1)
