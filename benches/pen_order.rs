@@ -26,7 +26,7 @@ use umriss::exact;
 use umriss::export::{SvgOptions, to_svg};
 use umriss::model::{Camera, Color, FeatureOptions, Mesh, Soup};
 use umriss::run::{Counters, Run};
-use umriss::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use umriss::view::{Frame, LineClass, LinePiece, LineSource, VisibleLines};
 use umriss::visibility::AppelOptions;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -222,15 +222,7 @@ fn grid() -> Outcome<()> {
     let odd = degrees.values().filter(|degree| *degree % 2 == 1).count();
     let edges = pieces.len();
     let lines = VisibleLines {
-        frame: Frame {
-            projection: Projection::Orthographic,
-            origin: DVec3::ZERO,
-            right: DVec3::X,
-            up: DVec3::Y,
-            forward: DVec3::NEG_Z,
-            shear: DVec2::ZERO,
-            half_height: None,
-        },
+        frame: Frame::PLANE,
         objects: vec!["grid".into()],
         pieces,
         counters: Counters::default(),

@@ -38,6 +38,18 @@ pub struct Frame {
 const FAR: f64 = 1.0 / 1_048_576.0;
 
 impl Frame {
+    /// The plane of x and y, seen from above: lines that come from no model
+    /// can be drawn in it.
+    pub const PLANE: Frame = Frame {
+        projection: Projection::Orthographic,
+        origin: DVec3::ZERO,
+        right: DVec3::X,
+        up: DVec3::Y,
+        forward: DVec3::NEG_Z,
+        shear: DVec2::ZERO,
+        half_height: None,
+    };
+
     /// Coordinates along right, up and forward, after the shear of an
     /// oblique view and before the division of a perspective one.
     pub fn coordinates(&self, point: DVec3) -> DVec3 {

@@ -2,7 +2,7 @@
 //! drawn is as long as what was found, nothing is drawn twice, widths grow
 //! with nearness, and an order of the pen is a permutation.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 use proptest::prelude::*;
 use umriss::drawing::{
     Drawing, DrawingOptions, Effort, Hidden, HiddenBy, LayerBy, Paper, Scale, Strokes, Styles,
@@ -10,7 +10,7 @@ use umriss::drawing::{
 };
 use umriss::model::Unit;
 use umriss::run::Counters;
-use umriss::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
+use umriss::view::{Frame, LineClass, LinePiece, LineSource, VisibleLines};
 
 /// Pieces on the lines of a grid, none of which covers another: runs are
 /// rows, columns and diagonals; depths are a plane.
@@ -40,15 +40,7 @@ fn pictures() -> impl Strategy<Value = VisibleLines> {
                 run: run as u32,
             });
         }
-        let frame = Frame {
-            projection: Projection::Orthographic,
-            origin: DVec3::ZERO,
-            right: DVec3::X,
-            up: DVec3::Y,
-            forward: DVec3::NEG_Z,
-            shear: DVec2::ZERO,
-            half_height: None,
-        };
+        let frame = Frame::PLANE;
         let objects = ["a", "b", "c"].map(str::to_owned).to_vec();
         VisibleLines { frame, objects, pieces, counters: Counters::default() }
     })

@@ -2,20 +2,14 @@
 
 use super::*;
 use crate::drawing::SurfaceOptions;
-use crate::model::{Frame, Projection};
+use crate::model::Frame;
 use glam::{DVec3, dvec2};
 
 fn light() -> Light {
-    let frame = Frame {
-        projection: Projection::Orthographic,
-        origin: DVec3::ZERO,
-        right: DVec3::X,
-        up: DVec3::Y,
-        forward: -DVec3::Z,
-        shear: DVec2::ZERO,
-        half_height: None,
-    };
-    Light::new(&frame, &SurfaceOptions { light: Some(DVec3::Z), ..SurfaceOptions::default() })
+    Light::new(
+        &Frame::PLANE,
+        &SurfaceOptions { light: Some(DVec3::Z), ..SurfaceOptions::default() },
+    )
 }
 
 fn region(rings: Vec<Vec<DVec2>>, normal: DVec3) -> ImageRegion {

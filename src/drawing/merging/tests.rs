@@ -8,8 +8,8 @@ use super::LONG;
 use super::joining::MOVED;
 use crate::model::Unit;
 use crate::run::Counters;
-use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection, VisibleLines};
-use glam::{DVec2, DVec3, dvec2};
+use crate::view::{Frame, LineClass, LinePiece, LineSource, VisibleLines};
+use glam::{DVec2, dvec2};
 use proptest::prelude::*;
 
 mod doubled;
@@ -24,15 +24,7 @@ const REACH: f64 = 0.1;
 
 fn lines(pieces: Vec<LinePiece>) -> VisibleLines {
     VisibleLines {
-        frame: Frame {
-            projection: Projection::Orthographic,
-            origin: DVec3::ZERO,
-            right: DVec3::X,
-            up: DVec3::Y,
-            forward: DVec3::NEG_Z,
-            shear: DVec2::ZERO,
-            half_height: None,
-        },
+        frame: Frame::PLANE,
         objects: vec!["all".into()],
         pieces,
         counters: Counters::default(),

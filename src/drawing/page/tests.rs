@@ -8,20 +8,11 @@ use crate::drawing::{Hidden, LayerBy};
 use crate::model::Unit;
 use crate::run::Counters;
 use crate::view::{Frame, LineClass, LinePiece, LineSource, Projection};
-use glam::DVec3;
 use proptest::prelude::*;
 
 fn lines(pieces: Vec<LinePiece>) -> VisibleLines {
     VisibleLines {
-        frame: Frame {
-            projection: Projection::Orthographic,
-            origin: DVec3::ZERO,
-            right: DVec3::X,
-            up: DVec3::Y,
-            forward: DVec3::NEG_Z,
-            shear: DVec2::ZERO,
-            half_height: None,
-        },
+        frame: Frame::PLANE,
         objects: vec!["cup".into(), "".into(), "cup".into()],
         pieces,
         counters: Counters::default(),
