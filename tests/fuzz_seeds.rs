@@ -6,8 +6,12 @@
 #[cfg(all(feature = "json", feature = "svg"))]
 mod targets;
 
+#[path = "support/split_mix.rs"]
+mod split_mix;
+
 use std::path::{Path, PathBuf};
 
+use split_mix::split_mix;
 use umriss::model::Soup;
 use umriss::model::import::{Format, read_bytes};
 
@@ -35,16 +39,12 @@ fn feed(bytes: &[u8], format: Option<Format>) -> bool {
     true
 }
 
-/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
+/// Numbers that look like chance.
 struct SplitMix(u64);
 
 impl SplitMix {
     fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound as u64) as usize
+        (split_mix(&mut self.0) % bound as u64) as usize
     }
 }
 

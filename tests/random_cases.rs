@@ -12,8 +12,12 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
+#[path = "support/split_mix.rs"]
+mod split_mix;
+
 use glam::{DVec3, dvec3};
 use rayon::prelude::*;
+use split_mix::split_mix;
 use umriss::kernel::predicates::{Carrier, Cut, Exact, Eye, Point, Points, Predicates, Thorough};
 use umriss::model::{Camera, FeatureOptions, LineClass, LineOrigin, Mesh, Soup};
 use umriss::run::Run;
@@ -21,16 +25,12 @@ use umriss::verify::{VerifyOptions, verify};
 use umriss::view::{ExactLines, ExactPiece, LineQuestion, ObjectWish, PreparedView};
 use umriss::visibility::{AppelOptions, Culling, Skips, appel};
 
-/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
+/// Numbers that look like chance.
 struct SplitMix(u64);
 
 impl SplitMix {
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        split_mix(&mut self.0)
     }
 
     fn below(&mut self, bound: u32) -> u32 {

@@ -28,4 +28,6 @@ mod regions;
 mod scenes;
 mod see_through;
 #[cfg(all(feature = "json", feature = "svg", feature = "parallel"))]
+#[path = "../support/split_mix.rs"]
+mod split_mix;
 mod threads;

@@ -1,11 +1,12 @@
 //! Models that are a lot of work for their size.
 
+use crate::split_mix::split_mix;
 use glam::DVec3;
 use std::path::Path;
 use tempfile::TempDir;
 use umriss::model::{Faces, Mesh, Soup};
 
-/// Numbers from 0 to 1, the same in every run (Steele, Lea and Flood 2014).
+/// Numbers from 0 to 1, the same in every run.
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -14,11 +15,7 @@ impl Random {
     }
 
     pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        (split_mix(&mut self.0) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     fn point(&mut self) -> DVec3 {

@@ -11,3 +11,5 @@ mod limits;
 mod outputs;
 #[cfg(unix)]
 mod signals;
+#[path = "../support/split_mix.rs"]
+mod split_mix;

@@ -6,4 +6,6 @@
 mod junctions;
 mod promises;
 mod scenes;
+#[path = "../support/split_mix.rs"]
+mod split_mix;
 mod torn;

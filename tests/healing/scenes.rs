@@ -1,5 +1,6 @@
 //! Objects to be healed, and objects compared.
 
+use crate::split_mix::split_mix;
 use glam::{DMat3, DQuat, DVec3};
 use proptest::prelude::*;
 use umriss::model::{HealReport, Mesh, Soup, Topology, heal};
@@ -11,10 +12,7 @@ pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        split_mix(&mut self.0)
     }
 
     pub(crate) fn below(&mut self, bound: usize) -> usize {

@@ -6,6 +6,8 @@
 mod conventions;
 mod reference;
 mod scenes;
+#[path = "../support/split_mix.rs"]
+mod split_mix;
 
 use dashu_int::IBig;
 use proptest::prelude::*;

@@ -1,6 +1,7 @@
 //! Inputs that are hard for predicates: degenerate on purpose, nearly
 //! degenerate by rounding, and at the limits of every number type.
 
+use crate::split_mix::split_mix;
 use glam::{DVec3, dvec3};
 use proptest::prelude::*;
 use umriss::kernel::predicates::{Eye, NearPlane};
@@ -63,16 +64,12 @@ pub(crate) const KINDS: [Kind; 16] = [
     Kind::Subnormal,
 ];
 
-/// Numbers drawn from a seed (splitmix64, Steele, Lea and Flood 2014).
+/// Numbers drawn from a seed.
 pub(crate) struct Draw(pub u64);
 
 impl Draw {
     pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        split_mix(&mut self.0)
     }
 
     /// An integer below `end`.

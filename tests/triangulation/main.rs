@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used)]
 
 mod mosaic;
+#[path = "../support/split_mix.rs"]
+mod split_mix;
 mod weakly_simple;
 
 use glam::{DVec3, dvec3};

@@ -6,6 +6,7 @@
 //! the cells. Then they cover the area once and nothing else, for how often a
 //! place is covered is how often the border goes around it.
 
+use crate::split_mix::split_mix;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,12 +28,7 @@ pub(crate) struct Chance(pub(crate) u64);
 
 impl Chance {
     pub(crate) fn below(&mut self, count: usize) -> usize {
-        // Splitmix (Steele, Lea and Flood 2014).
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % count as u64) as usize
+        (split_mix(&mut self.0) % count as u64) as usize
     }
 }
 

@@ -1,17 +1,15 @@
 //! A small generator whose numbers are the same everywhere and for ever.
 
+use crate::split_mix::split_mix;
 use glam::DVec3;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
+/// Numbers that look like chance.
 #[derive(Debug, Clone)]
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        split_mix(&mut self.0)
     }
 
     /// An integer from 0 to `bound - 1`.
