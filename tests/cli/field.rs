@@ -1,23 +1,17 @@
 //! Models of public reports, whose numbers are rounded, huge or tiny: what a
 //! person means by them is what is drawn.
 
-use super::fixture::{Folder, drawn_length};
+use super::fixture::{Folder, assert_near, drawn_length, field};
 
-/// An input of `tests/field`, in a folder.
-fn field(folder: &Folder, name: &str) {
-    let path = format!("{}/tests/field/{name}", env!("CARGO_MANIFEST_DIR"));
-    let short = name.rsplit('/').next().unwrap();
-    folder.write(short, &std::fs::read_to_string(path).unwrap());
+/// Puts an input of `tests/field` into a folder.
+fn put(folder: &Folder, name: &str) {
+    folder.write(name.rsplit('/').next().unwrap(), &field(name));
 }
 
 /// The millimetres that `draw` makes of a model, and what it says.
 fn drawn(folder: &Folder, arguments: &str) -> (f64, String) {
     let said = folder.succeeds(&format!("draw {arguments} -o a.svg"));
     (drawn_length(&folder.text("a.svg")), said.errors)
-}
-
-fn assert_near(length: f64, expected: f64, what: &str) {
-    assert!((length - expected).abs() < 0.15, "{length} mm, not {expected} mm: {what}");
 }
 
 #[test]
@@ -30,7 +24,7 @@ fn faces_that_were_laid_on_one_another_are_drawn_once() {
         // The rims of what is cut are creases of the other surface.
         ("csg_cube_square.obj", "--edges contour,crease,non-manifold,intersection,line", 1206.7),
     ] {
-        field(&folder, name);
+        put(&folder, name);
         assert_near(drawn(&folder, &format!("{name} {flags}")).0, expected, name);
     }
     // All lines are there still for whoever wants them.
@@ -41,7 +35,7 @@ fn faces_that_were_laid_on_one_another_are_drawn_once() {
 fn dashes_of_twins_do_not_fill_each_others_gaps() {
     let folder = Folder::with_cube();
     let dashes = |name: &str| {
-        field(&folder, name);
+        put(&folder, name);
         drawn(&folder, &format!("{name} --view iso --hidden dashed")).0
     };
     let (rounded, exact) = (dashes("dash_min.obj"), dashes("dash_min_bin.obj"));
@@ -51,7 +45,7 @@ fn dashes_of_twins_do_not_fill_each_others_gaps() {
 #[test]
 fn torn_borders_are_told_and_closed_by_the_flag_that_is_told() {
     let folder = Folder::with_cube();
-    field(&folder, "cracked.obj");
+    put(&folder, "cracked.obj");
     let told = "umriss: 1104 borders lie together within 1e-4: --weld 1e-4\n";
     let (length, said) = drawn(&folder, "cracked.obj");
     assert_eq!(said, told);
@@ -88,7 +82,7 @@ fn a_corner_beside_an_edge_is_told_and_healed() {
 #[test]
 fn what_was_healed_is_a_model_in_every_format() {
     let folder = Folder::with_cube();
-    field(&folder, "cracked.obj");
+    put(&folder, "cracked.obj");
     for name in ["a.obj", "a.off", "a.ply", "a.stl", "a.json"] {
         let said = folder.succeeds(&format!("heal cracked.obj -o {name} --within 1e-4"));
         assert!(said.errors.contains("1104 borders closed"), "{}", said.errors);
@@ -109,18 +103,18 @@ fn what_was_healed_is_a_model_in_every_format() {
 fn regions_of_coplanar_and_self_touching_polygons_agree_with_lines() {
     let folder = Folder::with_cube();
     for name in ["20343.obj", "22150_min.obj", "22419_min.obj", "650_min.obj"] {
-        field(&folder, &format!("verify/{name}"));
+        put(&folder, &format!("verify/{name}"));
         folder.succeeds(&format!("verify {name} --view front"));
     }
     // Coordinates an ulp from zero beside ordinary ones.
-    field(&folder, "verify_slow_denormal.obj");
+    put(&folder, "verify_slow_denormal.obj");
     folder.succeeds("verify verify_slow_denormal.obj --view iso");
 }
 
 #[test]
 fn coordinates_at_the_end_of_the_range_are_answered_or_refused() {
     let folder = Folder::with_cube();
-    field(&folder, "verify_panic_1e308.obj");
+    put(&folder, "verify_panic_1e308.obj");
     folder.succeeds("verify verify_panic_1e308.obj --view top");
     folder.succeeds("draw verify_panic_1e308.obj --view top -o a.svg");
     #[cfg(feature = "png")]
@@ -136,7 +130,7 @@ fn coordinates_at_the_end_of_the_range_are_answered_or_refused() {
 fn a_frame_inside_of_a_face_is_filled_whichever_way_the_face_turns() {
     let folder = Folder::with_cube();
     let fills = |name: &str, flags: &str| {
-        field(&folder, name);
+        put(&folder, name);
         folder.succeeds(&format!("draw {name} --view top -o a.svg {flags}"));
         let svg = folder.text("a.svg");
         let paths = svg.lines().filter(|line| line.starts_with("<path") && line.contains("fill="));

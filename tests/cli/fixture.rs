@@ -73,6 +73,15 @@ pub(crate) fn ball(around: usize) -> String {
     text
 }
 
+/// An input of `tests/field`.
+pub(crate) fn field(name: &str) -> String {
+    fs::read_to_string(format!("{}/tests/field/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+pub(crate) fn assert_near(length: f64, expected: f64, what: &str) {
+    assert!((length - expected).abs() < 0.1, "{length} mm, not {expected} mm: {what}");
+}
+
 /// The length of all paths of an SVG.
 pub(crate) fn drawn_length(svg: &str) -> f64 {
     let mut length = 0.0;

@@ -1,11 +1,6 @@
 //! Polygons that touch or cross themselves, and those that are not planar.
 
-use super::fixture::{Folder, drawn_length};
-
-/// An input of `tests/field`.
-fn field(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/tests/field/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
-}
+use super::fixture::{Folder, assert_near, drawn_length, field};
 
 /// A file with one line of it, the first that begins so, written in all
 /// rotations and both directions.
@@ -27,10 +22,6 @@ fn all_ways(text: &str, face: &str) -> Vec<String> {
 fn length_from_above(folder: &Folder, model: &str) -> f64 {
     folder.succeeds(&format!("draw {model} --view top -o a.svg"));
     drawn_length(&folder.text("a.svg"))
-}
-
-fn assert_near(length: f64, expected: f64, what: &str) {
-    assert!((length - expected).abs() < 0.1, "{length} mm, not {expected} mm: {what}");
 }
 
 /// A square of side 10 with a hole of side 4 takes 190 mm of the paper.

@@ -19,6 +19,8 @@ Examples:
   umriss heal house.obj trees.obj -o scene.json --within 1e-4
   cat part.off | umriss heal - -o - --format ply > part.ply";
 
+const WRITTEN: &str = "expected obj, off, ply, stl or json";
+
 /// Repair what rounding has torn, and write the model.
 ///
 /// Vertices go to vertices, to edges of their object and to planes that they
@@ -89,5 +91,5 @@ impl Heal {
 fn parse_written(name: &str) -> Result<Format, String> {
     Format::from_name(name)
         .filter(|&format| format != Format::Gltf)
-        .ok_or_else(|| "expected obj, off, ply, stl or json".to_owned())
+        .ok_or_else(|| WRITTEN.to_owned())
 }
