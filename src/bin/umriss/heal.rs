@@ -75,8 +75,7 @@ impl Heal {
     }
 
     fn output_format(&self) -> Result<Format, Failure> {
-        let expected =
-            |what: &str| Failure::usage(format!("{what}: expected obj, off, ply, stl or json"));
+        let expected = |what: &str| Failure::usage(format!("{what}: {WRITTEN}"));
         if self.output.as_os_str() == "-" {
             return self.format.ok_or_else(|| Failure::usage("--output - needs --format"));
         }
