@@ -37,7 +37,7 @@ pub struct ModelFile {
 /// use umriss::export::write_model;
 /// use umriss::model::import::{Format, read_bytes};
 ///
-/// let off = b"OFF 4 1 0  0 0 0  9 0 0  9 9 0  0 9 0  4 0 1 2 3";
+/// let off = b"OFF\n4 1 0\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n4 0 1 2 3\n";
 /// let read = read_bytes("square.off", off, None)?;
 /// let file = write_model(&read.objects, Format::Obj)?;
 /// assert!(file.bytes.ends_with(b"f 1 2 3 4\n"));
